@@ -315,9 +315,43 @@ TEST_F(PathMeasures, OfARunAreThoseOfEvaluateWhateverTheRateOfTheReference) {
     EXPECT_EQ(compared(" --tolerance 2"), (own.size() - 1) / slow * slow + 1);
     // Of another clock there is none, and the option is named.
     write_trajectory({{1e6, {}}, {1e6 + 1.0, {}}}, reference);
-    EXPECT_THAT(shell(run + measured).output, HasSubstr("--tolerance"));
+    const Outcome refused = shell(run + measured);
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_THAT(refused.output, HasSubstr("--tolerance"));
     EXPECT_THAT(shell(cli_ + " evaluate " + path("run") + measured).output,
                 HasSubstr("--tolerance"));
+}
+
+TEST_F(PathMeasures, TellOfAReferenceThatIsNotOneOfTheRun) {
+    const std::string run = cli_ + " run " + short_log_ + " --out " + path("run");
+    ASSERT_EQ(shell(run).status, 0);
+    const Trajectory own = read_trajectory(path("run/trajectory.tum"));
+    const std::string part = path("part.map");  // whatever its name
+    write_trajectory(Trajectory(own.begin(), own.begin() + 20), part);
+    const Outcome doubted = shell(run + " --reference " + part);
+    EXPECT_EQ(doubted.status, 0) << doubted.output;
+    EXPECT_THAT(doubted.output, HasSubstr("part.map is the reference trajectory"));
+    EXPECT_THAT(doubted.output, HasSubstr("warning: The reference trajectory tells of less than"));
+    EXPECT_THAT(shell(cli_ + " compare " + path("run")).output,
+                HasSubstr("| poses compared | 20 |"));
+    EXPECT_THAT(shell(cli_ + " evaluate " + path("run") + " --reference " + part).output,
+                HasSubstr("(20/50)"));
+    Trajectory later = own;
+    for (StampedPose& pose : later) pose.time_s += 7200.0;
+    const std::string other = path("other.tum");
+    write_trajectory(later, other);
+    for (const std::string& command :
+         {run + "2", cli_ + " study " + short_log_ + " --vary p=3 --out " + path("study"),
+          cli_ + " evaluate " + path("run")}) {
+        const Outcome refused = shell(command + " --reference-trajectory " + other);
+        EXPECT_EQ(refused.status, 1) << command;
+        EXPECT_THAT(refused.output, HasSubstr("is not one of this tour: 0 of 50 poses")) << command;
+    }
+    EXPECT_FALSE(test::fs::exists(path("run2")));
+    // A map of another place.
+    const std::string map = file("far.tum", "x: 900 y: 900\nrho: 900 theta: 10\n");
+    EXPECT_THAT(shell(run + " --reference-trajectory " + map).output,
+                HasSubstr("lie within a metre of one of the reference map (0/"));
 }
 
 TEST_F(PathMeasures, ScansKeepTheirStampsWhateverIsAddedToTheirTimes) {

@@ -152,7 +152,8 @@ class Measures(unittest.TestCase):
         self.assertLess(error.rmse, 1e-9)
         self.assertEqual(error.poses, len(path))
         moved[:, 0] += 1e6
-        self.assertIsNone(hitos.trajectory_error(moved, path))
+        with self.assertRaisesRegex(hitos.Error, "is not one of this tour"):
+            hitos.trajectory_error(moved, path)
 
     def test_arrays_of_another_kind_are_refused(self):
         path = hitos.open("bigloop").truth.trajectory

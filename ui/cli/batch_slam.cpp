@@ -51,13 +51,12 @@ int batch(const BatchOptions& options) {
         throw ConfigError("source.file", verbatim("found no file name in " + options.config +
                                                   "; expected the path of the log to study"));
     }
-    if (options.referencia != kNoReference) study.reference = read_map(options.referencia);
     const std::filesystem::path quality = options.salida;
     std::vector<std::filesystem::path> inputs{options.config, options.referencia};
     inputs.emplace_back(study.configuration.source.file);
     check_apart({&quality, 1}, inputs);
     study.layout = study_beside(options.salida);
-    apply(options.runs, study);
+    apply(options.runs, options.referencia == kNoReference ? "" : options.referencia, study);
     return conduct(study, options.runs, {});
 }
 

@@ -16,6 +16,7 @@
 #include "hitos/services/evaluation/distances.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/evaluation/path_crispness.hpp"
+#include "hitos/services/evaluation/reference_fit.hpp"
 #include "hitos/services/evaluation/relations.hpp"
 #include "hitos/services/evaluation/relative_error.hpp"
 #include "hitos/services/results/kept_run.hpp"
@@ -74,6 +75,7 @@ void evaluate_map(const EvaluateOptions& options, Report& report) {
     report.count("corners", error->corners);
     report.count("reference_landmarks", error->reference_landmarks);
     report.count("reference_found", error->reference_found);
+    if (const auto doubt = doubt_of_map(map, reference)) report.warn(doubt->words());
 }
 
 void evaluate_distances(const EvaluateOptions& options, Report& report) {
@@ -86,24 +88,17 @@ void evaluate_distances(const EvaluateOptions& options, Report& report) {
     report.object()["distances"] = parsed_object(to_json(measured));
 }
 
-[[noreturn]] void fail_without_common_stamp(const EvaluateOptions& options, const char* what) {
-    throw FormatError(
-        options.trajectory, 0,
-        verbatim(fmt::format("has no pose within {:g} s of {}; are the clocks the same? "
-                             "--tolerance takes poses that are further away",
-                             options.tolerance_s, what)));
-}
-
 void evaluate_trajectory(const EvaluateOptions& options, Report& report) {
-    const auto error =
-        trajectory_error(read_trajectory(options.trajectory),
-                         read_trajectory(options.reference_trajectory), options.tolerance_s);
-    if (!error) fail_without_common_stamp(options, "one of the reference");
+    const Trajectory estimate = read_trajectory(options.trajectory);
+    const Trajectory reference = read_trajectory(options.reference_trajectory);
+    const ReferenceFit fit = fit_of_reference(estimate, reference, options.tolerance_s);
+    const auto error = trajectory_error(estimate, reference, options.tolerance_s);
     report.figure("ate_rmse_m", error->rmse_m, 6);
     report.figure("ate_mean_m", error->mean_m, 6);
     report.figure("ate_maximum_m", error->maximum_m, 6);
     report.figure("heading_rmse_rad", error->heading_rmse_rad, 6);
     report.count("poses", error->poses);
+    if (const auto doubt = fit.doubt()) report.warn(doubt->words());
 }
 
 constexpr int kErrorDecimals = 9;  // as evo prints them
@@ -169,7 +164,12 @@ void evaluate_relations(const EvaluateOptions& options, Report& report) {
         write_file(out_file(options, "relations.csv"), relations_csv(measured));
     }
     if (errors.used == 0) {
-        fail_without_common_stamp(options, "both times of any of the relations");
+        throw FormatError(
+            options.trajectory, 0,
+            verbatim(fmt::format("has no pose within {:g} s of both times of any of the relations; "
+                                 "are the clocks the same? --tolerance takes poses that are "
+                                 "further away",
+                                 options.tolerance_s)));
     }
     report.count("relations", measured.size());
     report.count("relations_used", errors.used);
@@ -226,6 +226,10 @@ void check_choices(const EvaluateOptions& options) {
 }
 
 void evaluate(EvaluateOptions options) {
+    const ReferenceFiles references =
+        reference_files(options.reference, options.reference_trajectory);
+    options.reference = references.map;
+    options.reference_trajectory = references.trajectory;
     if (!options.run.empty()) {
         const std::filesystem::path run = options.run;
         const bool of_map = !options.reference.empty() || !options.distances.empty();
@@ -237,9 +241,7 @@ void evaluate(EvaluateOptions options) {
     }
     const std::vector<std::pair<const char*, std::string*>> inputs{
         {"--map", &options.map},
-        {"--reference", &options.reference},
         {"--trajectory", &options.trajectory},
-        {"--reference-trajectory", &options.reference_trajectory},
         {"--distances", &options.distances},
         {"--relations", &options.relations}};
     for (const auto& [option, file] : inputs) *file = input_named(*file, option);

@@ -23,6 +23,7 @@
 #include "hitos/base/plural.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/evaluation/reference_fit.hpp"
 #include "hitos/services/results/optional_outputs.hpp"
 #include "hitos/services/results/results.hpp"
 #include "hitos/services/run/run_worker.hpp"
@@ -196,14 +197,7 @@ void run(const RunOptions& options) {
     options.source.choose(configuration.source);
     check_particle(options.grid_of, configuration);
     const std::vector<std::string> also = chosen_outputs(options.write, "--write");
-    References references;
-    if (!options.reference.empty()) {
-        references.map = read_map(input_named(options.reference, "--reference"));
-    }
-    if (!options.reference_trajectory.empty()) {
-        references.trajectory =
-            read_trajectory(input_named(options.reference_trajectory, "--reference-trajectory"));
-    }
+    References references = references_named(options.reference, options.reference_trajectory);
     references.tolerance_s = options.tolerance_s;
     if (!options.distances.empty())
         references.distances = read_distances(input_named(options.distances, "--distances"));
@@ -215,6 +209,8 @@ void run(const RunOptions& options) {
 
     LogWatch log(tour);
     std::unique_ptr<TourReader> reader = open_tour(configuration);
+    if (references.trajectory)
+        fit_of_reference(*reader, *references.trajectory, references.tolerance_s);
     add_truth(references, reader->truth());
     AlgoritmoOptions run_options;
     run_options.uncertainty = options.uncertainty;

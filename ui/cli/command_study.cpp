@@ -59,13 +59,10 @@ int study(StudyArguments options) {
     study.configuration = load(options.configuration, source);
     study.configuration.source.file = source;
     options.source.choose(study.configuration.source);
-    if (!options.reference.empty()) {
-        study.reference = read_map(input_named(options.reference, "--reference"));
-    }
     for (const std::string& assignment : options.vary)
         study.parameters.push_back(parse_study_parameter(assignment));
     study.layout = study_in_folder(options.out);
-    apply(options.runs, study);
+    apply(options.runs, options.reference, study);
     return conduct(study, options.runs, shard_of(options));
 }
 

@@ -180,6 +180,26 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
         "Threads, " + allowed_threads() + " (default: 0, all); results do not depend on it");
 }
 
+ReferenceFiles reference_files(const std::string& map, const std::string& trajectory) {
+    const ReferenceFiles given{input_named(map, "--reference"),
+                               input_named(trajectory, "--reference-trajectory")};
+    ReferenceFiles files = by_content(given);
+    if (files.map == given.map) return files;
+    for (const auto& [file, what] : {std::pair(files.map, "the reference map"),
+                                     std::pair(files.trajectory, "the reference trajectory")}) {
+        if (!file.empty()) fmt::print(stderr, "{} is {}\n", on_one_line(file), what);
+    }
+    return files;
+}
+
+References references_named(const std::string& map, const std::string& trajectory) {
+    const ReferenceFiles files = reference_files(map, trajectory);
+    References references;
+    if (!files.map.empty()) references.map = read_map(files.map);
+    if (!files.trajectory.empty()) references.trajectory = read_trajectory(files.trajectory);
+    return references;
+}
+
 void add_source_options(CLI::App& command, SourceOptions& options) {
     command.add_option("--format", options.format, log_format_choices() + " (default: auto)");
     manual::add_topic_options(command, options.topics);

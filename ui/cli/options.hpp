@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/services/files/reference_files.hpp"
+#include "hitos/services/results/results.hpp"
 #include "hitos/workbench/configuration_choices.hpp"
 
 namespace hitos::cli {
@@ -30,6 +32,11 @@ struct ConfigurationOptions {
 };
 
 void add_configuration_options(CLI::App& command, ConfigurationOptions& options);
+
+/// The references of those files (- for standard input; empty: none), each taken for what it
+/// holds; told where that is not what it was given as. Throws what by_content() and reading throw.
+ReferenceFiles reference_files(const std::string& map, const std::string& trajectory);
+References references_named(const std::string& map, const std::string& trajectory);
 
 /// --format and those of TopicChoices.
 struct SourceOptions {

@@ -51,14 +51,13 @@ void add_study_options(CLI::App& command, StudyRunOptions& options) {
     add_summary_form(command, options.form);
 }
 
-void apply(const StudyRunOptions& options, Study& study) {
+void apply(const StudyRunOptions& options, const std::string& reference, Study& study) {
     study.seeds = options.runs;
     study.first_seed = options.first_seed;
     study.pictures = parse_study_pictures(options.pictures, "--pictures");
-    if (!options.reference_trajectory.empty()) {
-        study.reference_trajectory =
-            read_trajectory(input_named(options.reference_trajectory, "--reference-trajectory"));
-    }
+    References references = references_named(reference, options.reference_trajectory);
+    if (references.map) study.reference = *std::move(references.map);
+    study.reference_trajectory = std::move(references.trajectory);
     set_study_source(study, options.noise,
                      parse_noise_kind(options.noise_kind, "--odometry-noise-kind"));
 }
@@ -126,6 +125,7 @@ int report(const StudyOutcome& outcome, const StudyLayout& layout, SummaryForm f
                                 : summary_markdown(outcome.plan, cells));
     }
     std::fflush(stdout);
+    for (const Advice& doubt : outcome.doubts) said.warn(doubt.words());
     if (!outcome.plot_problem.empty()) {
         fmt::print(stderr, "no plots: {}; their scripts are beside {}\n",
                    outcome.plot_problem.english(), layout.file("landmarks.gp").string());

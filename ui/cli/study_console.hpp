@@ -35,8 +35,8 @@ struct StudyRunOptions {
 /// and --json.
 void add_study_options(CLI::App& command, StudyRunOptions& options);
 
-/// Puts runs, seeds, noise, reference trajectory and pictures into the study.
-void apply(const StudyRunOptions& options, Study& study);
+/// Puts runs, seeds, noise, references (the map's file, or empty) and pictures into the study.
+void apply(const StudyRunOptions& options, const std::string& reference, Study& study);
 
 /// Runs the study with progress and failures on stderr and the summary on stdout. Gives the exit
 /// status: 0, or 2 where a run failed. Throws where none succeeded.

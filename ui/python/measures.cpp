@@ -6,6 +6,8 @@
 
 #include "arguments.hpp"
 #include "arrays.hpp"
+#include "hitos/services/evaluation/reference_fit.hpp"
+#include "hitos/services/files/reference_files.hpp"
 #include "hitos/services/files/trajectory_file.hpp"
 #include "python_calls.hpp"
 #include "references.hpp"
@@ -19,7 +21,11 @@ std::optional<TrajectoryError> error_of(const py::object& estimate, const py::ob
                                         double tolerance) {
     const Trajectory a = trajectory_from(estimate, "estimate");
     const Trajectory b = trajectory_from(reference, "reference");
-    return without_python([&] { return trajectory_error(a, b, tolerance); });
+    const auto [fit, error] = without_python([&] {
+        return std::pair(fit_of_reference(a, b, tolerance), trajectory_error(a, b, tolerance));
+    });
+    tell(fit.doubt());
+    return error;
 }
 
 py::array read(const path& file) {
@@ -30,26 +36,41 @@ py::array read(const path& file) {
 
 }  // namespace
 
-std::optional<Trajectory> reference_trajectory_of(const py::object& given) {
-    if (given.is_none()) return std::nullopt;
-    if (py::isinstance<py::array>(given)) return trajectory_from(given, "reference_trajectory");
-    py::detail::make_caster<path> file;
-    if (!file.load(given, true)) {
-        refuse_argument("reference_trajectory",
-                        "an N x 4 array of 64-bit floats, a path (str, bytes or os.PathLike) or "
-                        "None",
-                        given);
-    }
-    return read_trajectory(py::detail::cast_op<path>(std::move(file)));
-}
-
 References references_of(const std::optional<path>& map, const py::object& trajectory,
                          const std::optional<path>& distances) {
     References references;
-    if (map) references.map = read_map(*map);
-    references.trajectory = reference_trajectory_of(trajectory);
+    ReferenceFiles named;
+    if (map) named.map = map->string();
+    if (py::isinstance<py::array>(trajectory)) {
+        references.trajectory = trajectory_from(trajectory, "reference_trajectory");
+    } else if (!trajectory.is_none()) {
+        py::detail::make_caster<path> file;
+        if (!file.load(trajectory, true)) {
+            refuse_argument("reference_trajectory",
+                            "an N x 4 array of 64-bit floats, a path (str, bytes or os.PathLike) "
+                            "or None",
+                            trajectory);
+        }
+        named.trajectory = py::detail::cast_op<path>(std::move(file)).string();
+    }
+    const ReferenceFiles files = by_content(std::move(named));
+    if (!files.map.empty()) references.map = read_map(files.map);
+    if (!files.trajectory.empty()) {
+        if (references.trajectory) {
+            throw FormatError(files.trajectory, 0,
+                              verbatim("holds a trajectory, and reference_trajectory is another "
+                                       "one; expected a map"));
+        }
+        references.trajectory = read_trajectory(files.trajectory);
+    }
     if (distances) references.distances = read_distances(*distances);
     return references;
+}
+
+void tell(const std::optional<Advice>& doubt) {
+    if (!doubt) return;
+    if (PyErr_WarnEx(PyExc_UserWarning, doubt->words().c_str(), 1) != 0)
+        throw py::error_already_set();
 }
 
 void bind_measures(py::module_& module) {
@@ -69,7 +90,9 @@ void bind_measures(py::module_& module) {
            R"(The absolute trajectory error of a path against the true one, both N x 4 arrays of
 t, x, y, theta, after the best rigid alignment (docs/evaluation.md). Between poses of the
 reference that are no more than 0.5 s apart, or twice `tolerance`, it is interpolated; elsewhere
-stamps have to agree within `tolerance` seconds. None where nothing can be compared.)");
+stamps have to agree within `tolerance` seconds. Error where the reference is of another time: fewer
+than three poses have one of it, or it lasts for less than a tenth of the path; a UserWarning where
+it tells of less than half of the poses.)");
     define(module, "read_trajectory", &read, py::arg("path"),
            "Reads a trajectory in TUM format, plain or gzip: N x 4 of t, x, y, theta.");
 }

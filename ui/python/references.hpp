@@ -9,11 +9,13 @@
 
 namespace hitos::python {
 
-/// A path from a TUM file or an N x 4 array; nothing from None.
-std::optional<Trajectory> reference_trajectory_of(const py::object& given);
-
+/// A map from a file, a path from a TUM file or an N x 4 array, distances from a file; files are
+/// taken for what they hold. Nothing from None.
 References references_of(const std::optional<std::filesystem::path>& map,
                          const py::object& trajectory,
-                         const std::optional<std::filesystem::path>& distances);
+                         const std::optional<std::filesystem::path>& distances = {});
+
+/// Warns in Python's way.
+void tell(const std::optional<Advice>& doubt);
 
 }  // namespace hitos::python

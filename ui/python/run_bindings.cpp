@@ -204,7 +204,8 @@ progress: called with a Progress some times a second and at the end; False ends 
 out: a folder for the files that `hitos-cli run` writes.
 reference: a map file, reference_trajectory: a TUM file or an N x 4 array of t, x, y, theta (default
 for a world: the true path), distances: a file of named distances, to measure the run against; they
-show in Result.summary.
+show in Result.summary. Files are taken for what they hold, a map or a trajectory. A trajectory of
+another tour raises Error; one that tells of less than half of the scans warns.
 uncertainty: record the standard deviations of the landmarks, for the files.
 also: further files for that folder, as in Result.write().
 

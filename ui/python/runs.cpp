@@ -7,8 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "hitos/services/evaluation/reference_fit.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "python_calls.hpp"
+#include "references.hpp"
 
 namespace hitos::python {
 namespace {
@@ -70,11 +72,17 @@ Run::Run(const TourArgument& tour, Configuracion configuration, References refer
       inputs_(without_python([&] { return InputFiles(tour_files(tour.source.file)); })) {
     AlgoritmoOptions options;
     options.uncertainty = uncertainty;
+    std::optional<Advice> doubt;
     worker_ = ended_without_python(without_python([&] {
         std::unique_ptr<TourReader> reader = open_tour(configuration_);
+        if (references_.trajectory) {
+            doubt =
+                fit_of_reference(*reader, *references_.trajectory, references_.tolerance_s).doubt();
+        }
         add_truth(references_, reader->truth());
         return std::make_unique<RunWorker>(configuration_, std::move(reader), options);
     }));
+    tell(doubt);
 }
 
 Progress Run::progress() const {

@@ -173,8 +173,9 @@ std::shared_ptr<StudyTable> study_of(const py::object& tour, const py::dict& var
     require_callable(progress, "progress", true);
     Study study;
     study.configuration = configuration_for(tour_argument(tour), configuration);
-    if (reference) study.reference = read_map(*reference);
-    study.reference_trajectory = reference_trajectory_of(reference_trajectory);
+    References references = references_of(reference, reference_trajectory);
+    if (references.map) study.reference = *std::move(references.map);
+    study.reference_trajectory = std::move(references.trajectory);
     for (const auto& [name, values] : vary) {
         study.parameters.push_back(parameter_of(key_of(name, "vary"), values));
     }
@@ -187,6 +188,7 @@ std::shared_ptr<StudyTable> study_of(const py::object& tour, const py::dict& var
     table->outcome = conducted(study, threads, progress);
     table->folder = study.layout.folder;
     check_any(table->outcome);
+    for (const Advice& doubt : table->outcome.doubts) tell(doubt);
     table->cells = summarize(table->outcome.plan, table->outcome.records);
     return table;
 }

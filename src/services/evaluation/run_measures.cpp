@@ -45,6 +45,7 @@ std::vector<Measure> all_measures() {
         {"odometry_error_m", "odometry's ATE", About::path, "m", 3, "/odometry_error/ate_rmse_m",
          [](Run run) { return member(run.errors.odometry_error, &TrajectoryError::rmse_m); },
          "the same of the path by odometry alone", "", false, "odometry_ate_rmse_m"},
+        {"common_poses", "poses compared", About::path, "", 0, "/trajectory_error/poses"},
         {"blur_m2", "blur", About::grid, "m^2", 2, "",
          [](Run run) { return run.grid != nullptr ? grid_blur_m2(*run.grid) : Figure(); },
          "area that the grid map leaves undecided; lower is crisper",

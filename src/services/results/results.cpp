@@ -14,6 +14,7 @@
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
+#include "hitos/services/evaluation/reference_fit.hpp"
 #include "hitos/slam/filters.hpp"
 #include "json_input.hpp"
 #include "output_crew.hpp"
@@ -211,7 +212,16 @@ RunSummary summary_of(const Algoritmo& run, const LandmarkMap& map, const Trajec
                             "--tolerance takes poses that are further away."),
                  fmt::format("{:g} s", references.tolerance_s),
                  {}});
+        } else if (const auto doubt =
+                       ReferenceFit{summary.scans,
+                                    static_cast<std::size_t>(summary.trajectory_error->poses)}
+                           .doubt()) {
+            summary.quality.warnings.push_back(*doubt);
         }
+    }
+    if (references.map) {
+        if (const auto doubt = doubt_of_map(map, *references.map))
+            summary.quality.warnings.push_back(*doubt);
     }
     return summary;
 }

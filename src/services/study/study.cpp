@@ -16,6 +16,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/input_files.hpp"
 #include "hitos/base/thread_clock.hpp"
+#include "hitos/services/evaluation/reference_fit.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "json_input.hpp"
 #include "shared_readings.hpp"
@@ -49,9 +50,10 @@ class Stopwatch {
     double cpu_start_ = thread_seconds();
 };
 
-/// A log that cannot be opened ends the study at its start, not run by run; where the log is what
-/// varies, each run finds out for itself.
-void try_source(const Study& study, const StudyPlan& plan) {
+/// A log that cannot be opened, or that the reference is not of, ends the study at its start, not
+/// run by run; where the log is what varies, each run finds out for itself.
+void try_source(const Study& study, StudyOutcome& outcome) {
+    const StudyPlan& plan = outcome.plan;
     const std::vector<std::string> keys = plan.keys();
     if (std::any_of(keys.begin(), keys.end(),
                     [](const std::string& key) { return key.starts_with("source."); })) {
@@ -59,7 +61,21 @@ void try_source(const Study& study, const StudyPlan& plan) {
     }
     StudyJob job{0, plan.first_seed, study.configuration};
     job.configuration.run.seed = job.seed;
-    study.source.open_tour(job);
+    const std::unique_ptr<TourReader> tour = study.source.open_tour(job);
+    if (!study.reference_trajectory) return;
+    if (const auto doubt = fit_of_reference(*tour, *study.reference_trajectory).doubt())
+        outcome.doubts.push_back(*doubt);
+}
+
+/// Of one run's map, since all of them are of one place.
+void doubt_map(const Study& study, StudyOutcome& outcome) {
+    const auto good = std::ranges::find_if(outcome.records, [](const StudyRecord& record) {
+        return record.ok && record.figures["landmarks"].value_or(0.0) > 0.0;
+    });
+    if (study.reference.empty() || good == outcome.records.end()) return;
+    const auto run = static_cast<std::size_t>(good - outcome.records.begin());
+    const LandmarkMap map = read_map(study::map_file(study.layout, outcome.plan, run));
+    if (const auto doubt = doubt_of_map(map, study.reference)) outcome.doubts.push_back(*doubt);
 }
 
 /// Does all tasks on a number of threads and tells the observer.
@@ -318,7 +334,7 @@ std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const Stud
         outcomes.emplace_back().plan = plan_study(study);
         files.check();  // what the digest is of
         inputs.push_back(std::move(files));
-        try_source(study, outcomes.back().plan);
+        try_source(study, outcomes.back());
     }
     std::vector<StudyFolder> folders;
     folders.reserve(studies.size());
@@ -354,7 +370,10 @@ std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const Stud
         return outcomes;
     }
     if (options.tables && options.shard.whole()) {
-        for (std::size_t s = 0; s < studies.size(); ++s) publish(folders[s], outcomes[s]);
+        for (std::size_t s = 0; s < studies.size(); ++s) {
+            publish(folders[s], outcomes[s]);
+            doubt_map(studies[s], outcomes[s]);
+        }
     }
     return outcomes;
 }

@@ -2,6 +2,7 @@
 
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/drawing/picture_file.hpp"
+#include "hitos/services/evaluation/reference_fit.hpp"
 #include "hitos/services/grid/grid_builder.hpp"
 #include "hitos/services/results/results.hpp"
 #include "hitos/services/run/open_source.hpp"
@@ -64,6 +65,7 @@ std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& la
     record.scans = run.steps();
     record.report = run.report();
     const Trajectory path = run.best_trajectory();
+    if (study.reference_trajectory) fit_of_reference(path, *study.reference_trajectory);
     const RunErrors errors = errors_of(run, map, path, references_of(study, run));
     if (errors.map_error) record.reference_found = errors.map_error->reference_found;
     std::optional<GridBuilder> builder;

@@ -164,21 +164,12 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
     return configuration;
 }
 
-std::string starting_reference_map(const CommandLine& line, const Configuracion& configuration) {
-    if (!line.reference.empty()) return line.reference;
+ReferenceFiles starting_references(const CommandLine& line, const Configuracion& configuration) {
+    ReferenceFiles files = by_content({line.reference, line.reference_trajectory});
     const std::string& log = configuration.source.file;
-    if (log.empty() || log != shipped_file(kReadyTour).string()) return {};
-    return shipped_file("data/maps/bigloop.map").string();
-}
-
-References starting_references(const CommandLine& line, const Configuracion& configuration) {
-    References references;
-    const std::string map = starting_reference_map(line, configuration);
-    if (!map.empty()) references.map = read_map(map);
-    if (!line.reference_trajectory.empty()) {
-        references.trajectory = read_trajectory(line.reference_trajectory);
-    }
-    return references;
+    if (files.map.empty() && !log.empty() && log == shipped_file(kReadyTour).string())
+        files.map = shipped_file("data/maps/bigloop.map").string();
+    return files;
 }
 
 }  // namespace hitos::window

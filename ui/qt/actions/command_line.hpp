@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hitos/services/configuration/configuracion.hpp"
-#include "hitos/services/results/results.hpp"
+#include "hitos/services/files/reference_files.hpp"
 #include "hitos/workbench/configuration_choices.hpp"
 
 namespace hitos::window {
@@ -50,10 +50,8 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out);
 Configuracion starting_configuration(const CommandLine& line, const UserFiles& files,
                                      Init init = Init::read);
 
-/// The reference map's file, or for the ready tour the one that belongs to it; else empty.
-std::string starting_reference_map(const CommandLine& line, const Configuracion& configuration);
-
-/// The references named, or for the ready tour the one that belongs to it. Throws hitos::Error.
-References starting_references(const CommandLine& line, const Configuracion& configuration);
+/// The references named, each for what it holds; for the ready tour the map that belongs to it.
+/// Throws what by_content() throws.
+ReferenceFiles starting_references(const CommandLine& line, const Configuracion& configuration);
 
 }  // namespace hitos::window

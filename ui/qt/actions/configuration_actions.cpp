@@ -55,10 +55,8 @@ ConfigurationActions::ConfigurationActions(Session& session, UserFiles& files, P
 
 void ConfigurationActions::start(const CommandLine& line) {
     const Configuracion configuration = starting_configuration(line, files_);
-    const References references = starting_references(line, configuration);
     session_.set_configuration(configuration);
-    session_.set_references(references,
-                            QString::fromStdString(starting_reference_map(line, configuration)));
+    take_references(starting_references(line, configuration));
 }
 
 void ConfigurationActions::start_or_warn(const CommandLine& line) {
@@ -107,9 +105,8 @@ void ConfigurationActions::start_or_warn(const CommandLine& line) {
         possible(unusable, [&] { session_.set_configuration(configuration); });
     }
     possible(tr("The reference was not loaded"), [&] {
-        session_.set_references(
-            starting_references(line, configuration),
-            QString::fromStdString(starting_reference_map(line, configuration)));
+        if (const auto doubt = take_references(starting_references(line, configuration)))
+            complaints.emplace_back(tr("The reference is in doubt"), words_of(*doubt));
     });
     note_named(line);
     if (complaints.empty() && !to_choose) return;

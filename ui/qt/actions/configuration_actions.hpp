@@ -2,9 +2,11 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 #include <vector>
 
 #include "hitos/capture/tour_summary.hpp"
+#include "hitos/services/files/reference_files.hpp"
 #include "look/prompts.hpp"
 #include "look/user_files.hpp"
 #include "session/run_guard.hpp"
@@ -77,6 +79,7 @@ class ConfigurationActions final : public QObject {
     bool choose_source(Configuracion next, bool confirmed);
     void choose_at_start(const Configuracion& configuration, bool run);
     bool use_reference(const QString& path, FileKind kind);
+    std::optional<Advice> take_references(const ReferenceFiles& files);
     void load_reference(FileKind kind, const QString& title, const QString& filters);
     void note_named(const CommandLine& line);
     bool use(const Configuracion& configuration);

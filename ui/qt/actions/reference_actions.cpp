@@ -1,26 +1,53 @@
 // References to measure a run against: a map and a trajectory, from files.
 
 #include "configuration_actions.hpp"
+#include "hitos/services/evaluation/reference_fit.hpp"
+#include "hitos/workbench/open_tour.hpp"
 #include "look/words_of.hpp"
+#include "session/background.hpp"
 
 namespace hitos::window {
 
-bool ConfigurationActions::use_reference(const QString& path, FileKind kind) {
-    try {
-        References references = session_.user_references();
-        if (kind == FileKind::map) {
-            references.map = read_map(path.toStdString());
-            session_.set_references(references, path);
-            emit notice(tr("Reference map: %1")
-                            .arg(counted_words(references.map->size(), tr("1 landmark"),
-                                               tr("%1 landmarks"))));
-        } else {
-            references.trajectory = read_trajectory(path.toStdString());
-            session_.set_references(references, session_.reference_map_file());
-            emit notice(tr("Reference trajectory: %1")
-                            .arg(counted_words(references.trajectory->size(), tr("1 pose"),
-                                               tr("%1 poses"))));
+/// Beside those that are in use. Gives what there is to doubt of them; throws hitos::Error, as of a
+/// trajectory of another tour, and changes nothing.
+std::optional<Advice> ConfigurationActions::take_references(const ReferenceFiles& files) {
+    References references = session_.user_references();
+    std::optional<Advice> doubt;
+    QString map_file = session_.reference_map_file();
+    if (!files.map.empty()) {
+        references.map = read_map(files.map);
+        map_file = QString::fromStdString(files.map);
+    }
+    if (!files.trajectory.empty()) {
+        references.trajectory = read_trajectory(files.trajectory);
+        // A tour that is being driven is not over.
+        if (session_.has_source() && !session_.live_tour()) {
+            doubt = in_background([&] {
+                        return fit_of_reference(*open_tour(session_.configuration()),
+                                                *references.trajectory);
+                    }).doubt();
         }
+    }
+    session_.set_references(references, map_file);
+    return doubt;
+}
+
+/// What the file holds counts, and what it was taken for where that cannot be seen.
+bool ConfigurationActions::use_reference(const QString& path, FileKind kind) {
+    const std::string file = path.toStdString();
+    try {
+        if (const auto held = reference_kind(file))
+            kind = *held == ReferenceKind::map ? FileKind::map : FileKind::trajectory;
+        const bool map = kind == FileKind::map;
+        const auto doubt =
+            take_references(map ? ReferenceFiles{file, {}} : ReferenceFiles{{}, file});
+        const References& used = session_.user_references();
+        emit notice(
+            map ? tr("Reference map: %1")
+                      .arg(counted_words(used.map->size(), tr("1 landmark"), tr("%1 landmarks")))
+                : tr("Reference trajectory: %1")
+                      .arg(counted_words(used.trajectory->size(), tr("1 pose"), tr("%1 poses"))));
+        if (doubt) prompts_.warn(window_, tr("The reference is in doubt"), words_of(*doubt));
     } catch (const std::exception& error) {
         prompts_.warn(window_, tr("The reference was not loaded"), words_of(error));
         return false;

@@ -61,7 +61,7 @@ void HintBar::show_advice(const std::vector<Advice>& advice) {
     const auto mends =
         std::ranges::find_if(advice, [](const Advice& reason) { return !reason.preset.empty(); });
     if (mends == advice.end()) return;
-    advice_ = translated("Advice", mends->text).arg(QString::fromStdString(mends->figure));
+    advice_ = words_of(*mends);
     preset_ = mends->preset;
     refresh();
 }

@@ -20,8 +20,7 @@ QString preset_to_try(const Advice& advice) {
 }
 
 QString status_words(const Advice& advice) {
-    const QString words =
-        translated("Advice", advice.text).arg(QString::fromStdString(advice.figure));
+    const QString words = words_of(advice);
     return advice.preset.empty() ? words : words + ' ' + preset_to_try(advice);
 }
 
@@ -120,6 +119,13 @@ void StatusLine::show_doubts(const std::vector<TourFinding>& findings) {
     refresh();
 }
 
+void StatusLine::show_doubt(const std::optional<Advice>& of_reference) {
+    const bool told = !of_reference_.isEmpty();
+    of_reference_ = of_reference ? words_of(*of_reference) : QString();
+    if (of_reference && !told) notice(of_reference_);
+    refresh();
+}
+
 /// The reasons are long, and stand in the tool tip of the state.
 void StatusLine::show_advice() {
     const std::shared_ptr<const Snapshot> snapshot = session_.snapshot();
@@ -153,7 +159,9 @@ void StatusLine::refresh() {
         p.stopped_by != StopReason::none) {
         notice(status_words(p));
     }
-    const QString warnings = QStringList{doubts_, advice_}.join('\n').trimmed();
+    QStringList told{doubts_, of_reference_, advice_};
+    told.removeAll(QString());
+    const QString warnings = told.join('\n');
     if (!warnings.isEmpty()) state_->setText(state_->text() + QString::fromUtf8(" ⚠"));
     state_->setToolTip(warnings);
     state_->setProperty("role", p.state == State::failed ? "error" : "value");

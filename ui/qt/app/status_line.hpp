@@ -25,6 +25,8 @@ class StatusLine final : public QObject {
     /// What there is to doubt about the log.
     void show_doubts(const std::vector<TourFinding>& findings);
 
+    void show_doubt(const std::optional<Advice>& of_reference);
+
     void show_place(QPointF world_m);
     void clear_place();
     /// A short message that goes away.
@@ -44,8 +46,9 @@ class StatusLine final : public QObject {
     Session& session_;
     QStatusBar* bar_;
     std::optional<quint64> total_;
-    QString advice_;  ///< shown with the state; empty: none
-    QString doubts_;  ///< likewise
+    QString advice_;        ///< shown with the state; empty: none
+    QString doubts_;        ///< likewise
+    QString of_reference_;  ///< likewise
     StopReason stopped_by_ = StopReason::none;
     QLabel* state_;
     QLabel* scan_;

@@ -9,6 +9,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
+#include "hitos/services/files/reference_files.hpp"
 #include "hitos/workbench/study_noise.hpp"
 #include "look/parameter_text.hpp"
 #include "look/theme.hpp"
@@ -293,7 +294,10 @@ void StudyForm::read_reference(Study& study) {
     const QString path = ui_.reference->text().trimmed();
     if (path.isEmpty()) return;  // the paths and grids are measured then
     try {
-        study.reference = read_map(path.toStdString());
+        const ReferenceFiles files = by_content({path.toStdString(), {}});
+        if (!files.map.empty()) study.reference = read_map(files.map);
+        if (!files.trajectory.empty())
+            study.reference_trajectory = read_trajectory(files.trajectory);
     } catch (const Error& error) {
         set_error(*ui_.reference, *ui_.error_reference, words_of(error));
     }
@@ -315,9 +319,9 @@ std::optional<StudyRequest> StudyForm::read() {
     request.study.configuration = session_.configuration();
     read_values(request.study);
     read_seed(request.study);
+    request.study.reference_trajectory = session_.user_references().trajectory;
     read_reference(request.study);
     read_folder(request.study);
-    request.study.reference_trajectory = session_.user_references().trajectory;
     if (ui_.pictures->isChecked()) request.study.pictures = StudyPictures::first;
     const auto kind = static_cast<OdometryNoiseKind>(ui_.noise_kind->currentIndex());
     set_study_source(request.study, ui_.noise->value(), kind);

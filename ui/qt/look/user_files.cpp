@@ -4,13 +4,13 @@
 #include <QFileInfo>
 #include <QMap>
 #include <QStandardPaths>
+#include <optional>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/translatable.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/tour_reader.hpp"
-#include "hitos/services/files/map_file.hpp"
-#include "hitos/services/files/trajectory_file.hpp"
+#include "hitos/services/files/reference_files.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 
 namespace hitos::window {
@@ -25,14 +25,12 @@ QString folder_or_default(const QString& folder) {
                             : folder;
 }
 
-/// Whether the file is what `read` takes.
-template <class Read>
-bool reads(const QString& path, Read read) {
+/// Nothing too where the file cannot be looked into: its reader says why.
+std::optional<ReferenceKind> known_reference(const QString& path) {
     try {
-        read(path.toStdString());
-        return true;
+        return reference_kind(path.toStdString());
     } catch (const Error&) {
-        return false;
+        return std::nullopt;
     }
 }
 
@@ -146,13 +144,10 @@ FileKind kind_of(const QString& path) {
     QString name = QFileInfo(path).fileName().toLower();
     if (name.endsWith(".gz")) name.chop(3);
     if (name.endsWith(".cfg")) return FileKind::configuration;
+    if (const auto kind = known_reference(path))
+        return *kind == ReferenceKind::map ? FileKind::map : FileKind::trajectory;
     if (name.endsWith(".map")) return FileKind::map;
-    if (name.endsWith(".tum")) return FileKind::trajectory;
-    if (!name.endsWith(".txt")) return FileKind::source;
-    if (reads(path, [](const std::string& file) { read_map(file); })) return FileKind::map;
-    return reads(path, [](const std::string& file) { read_trajectory(file); })
-               ? FileKind::trajectory
-               : FileKind::source;
+    return name.endsWith(".tum") ? FileKind::trajectory : FileKind::source;
 }
 
 }  // namespace hitos::window

@@ -6,6 +6,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/geometry.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
+#include "hitos/services/evaluation/suitability.hpp"
 #include "parameter_text.hpp"
 
 namespace hitos::window {
@@ -18,6 +19,10 @@ QString words_of(const Message& message) {
 
 QString words_of(const std::exception& error) {
     return words_of(message_of(error));
+}
+
+QString words_of(const Advice& advice) {
+    return translated("Advice", advice.text).arg(QString::fromStdString(advice.figure));
 }
 
 QString words_of(const std::vector<SourceSetting>& settings) {

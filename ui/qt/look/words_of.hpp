@@ -8,11 +8,17 @@
 #include "hitos/base/message.hpp"
 #include "hitos/capture/tour_finding.hpp"
 
+namespace hitos {
+struct Advice;
+}
+
 namespace hitos::window {
 
 /// In the context "Errors"; what has no translation is said in English. Any thread may ask.
 QString words_of(const Message& message);
 QString words_of(const std::exception& error);
+/// Without the preset to try.
+QString words_of(const Advice& advice);
 /// “Label” value, of each.
 QString words_of(const std::vector<SourceSetting>& settings);
 /// What was found, and what to do.

@@ -67,6 +67,14 @@
         <source>Paths keep the scans&apos; own stamps, without the %1 of the scan delay, and the reference is compared by these: where its clock is the odometry&apos;s, subtract them from its stamps.</source>
         <translation>Las trayectorias conservan los instantes propios de los barridos, sin los %1 del retraso de los barridos, y la referencia se compara según ellos: si su reloj es el de la odometría, réstelos de sus instantes.</translation>
     </message>
+    <message>
+        <source>The reference trajectory tells of less than half of the scans (%1), and the errors are of these alone: is it of this whole tour?</source>
+        <translation>La trayectoria de referencia abarca menos de la mitad de los barridos (%1) y los errores son solo de estos: ¿es de todo este recorrido?</translation>
+    </message>
+    <message>
+        <source>Less than half of the landmarks lie within a metre of one of the reference map (%1): is it of this place, and in the frame of the robot&apos;s start?</source>
+        <translation>Menos de la mitad de los hitos está a menos de un metro de uno del mapa de referencia (%1): ¿es de este lugar y está en el sistema del punto de partida del robot?</translation>
+    </message>
 </context>
 <context>
     <name>Associations</name>
@@ -2850,6 +2858,18 @@
         <source>found a figure of a run of the word &quot;%1&quot;, but tables, records or Python say &quot;%2&quot; of something else; give it another word</source>
         <translation>hay una medida de una ejecución con la palabra &quot;%1&quot;, pero las tablas, los registros o Python llaman &quot;%2&quot; a otra cosa; dele otra palabra</translation>
     </message>
+    <message>
+        <source>the reference trajectory is not one of this tour: %1 of %2 poses have one of it within %3 s; the tour goes from second %4 to %5, the reference from %6 to %7; expected the true path of this very tour, with stamps of the same clock in seconds (of one with few poses --tolerance takes those that are further away)</source>
+        <translation>la trayectoria de referencia no es de este recorrido: %1 de %2 poses tienen una suya a menos de %3 s; el recorrido va del segundo %4 al %5 y la referencia del %6 al %7; se esperaba la trayectoria verdadera de este mismo recorrido, con tiempos del mismo reloj en segundos (de una con pocas poses, --tolerance toma las más alejadas)</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are both trajectories; expected one of them, and a map beside it</source>
+        <translation>%1 y %2 son ambas trayectorias; se esperaba una de ellas y un mapa a su lado</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are both maps; expected one of them, and a trajectory beside it</source>
+        <translation>%1 y %2 son ambos mapas; se esperaba uno de ellos y una trayectoria a su lado</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -5020,6 +5040,10 @@
     <message>
         <source>%1. How the former one was read is not applied</source>
         <translation>%1. No se aplica cómo se leía la anterior</translation>
+    </message>
+    <message>
+        <source>The reference is in doubt</source>
+        <translation>La referencia es dudosa</translation>
     </message>
 </context>
 <context>

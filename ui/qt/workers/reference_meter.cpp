@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "hitos/services/evaluation/reference_fit.hpp"
 #include "session/background.hpp"
 
 namespace hitos::window {
@@ -50,7 +51,10 @@ std::vector<ErrorPoint> course_of(const Snapshot& snapshot, const References& re
 
 Measured measure(const Snapshot& snapshot, const References& references, KnownErrors& known) {
     Measured out;
-    if (references.map) out.map = map_error(snapshot.best_map, *references.map);
+    if (references.map) {
+        out.map = map_error(snapshot.best_map, *references.map);
+        out.doubt = doubt_of_map(snapshot.best_map, *references.map);
+    }
     if (references.trajectory) {
         out.trajectory = trajectory_error(snapshot.best_trajectory, *references.trajectory);
         out.odometry = trajectory_error(snapshot.odometry_trajectory, *references.trajectory);

@@ -26,7 +26,8 @@ struct Measured {
     std::optional<MapError> map;
     std::optional<TrajectoryError> trajectory;
     std::optional<TrajectoryError> odometry;
-    Trajectory reference_world;  ///< the reference trajectory moved to the run's frame
+    std::optional<Advice> doubt;  ///< whether the reference map is of this place
+    Trajectory reference_world;   ///< the reference trajectory moved to the run's frame
 };
 
 /// Of checkpoints, by scans: measured once.

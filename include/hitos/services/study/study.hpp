@@ -15,6 +15,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/message.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/services/evaluation/suitability.hpp"
 #include "hitos/services/files/map_file.hpp"
 #include "hitos/services/files/trajectory_file.hpp"
 #include "hitos/services/study/study_result.hpp"
@@ -127,10 +128,11 @@ struct StudyOutcome {
     std::size_t computed = 0;
     std::size_t reused = 0;
     std::size_t failed = 0;
-    bool beside = false;      ///< another study's results are still in place
-    bool stopped = false;     ///< before every run was done: there are no tables and plots
-    Message plot_problem;     ///< why there are no plots; empty where there are, and for shards
-    Message picture_problem;  ///< likewise of the contact sheet
+    std::vector<Advice> doubts;  ///< whether the references are those of this tour
+    bool beside = false;         ///< another study's results are still in place
+    bool stopped = false;        ///< before every run was done: there are no tables and plots
+    Message plot_problem;        ///< why there are no plots; empty where there are, and for shards
+    Message picture_problem;     ///< likewise of the contact sheet
 };
 
 /// Thrown by what needs whole studies where they were stopped.
@@ -149,7 +151,8 @@ void check_any(const StudyOutcome& outcome);
 /// stay until this one's are complete, and all of them change places together. The results do not
 /// depend on threads, shards, stops or order. Failed runs are recorded and tried anew the next
 /// time. A whole study ends with its tables and plots; a shard leaves them to merge_study. Throws
-/// what ends everything: see plan_study, FileError for the output, and what opening the log throws.
+/// what ends everything: see plan_study, FileError for the output, and what opening the log and
+/// fit_of_reference() throw (where the logs are what varies, each run is told for itself).
 std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const StudyOptions& options);
 
 /// Gathers the runs of the shards' folders (none: they are all in `layout` already) and writes
