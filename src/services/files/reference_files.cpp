@@ -1,5 +1,6 @@
 #include "hitos/services/files/reference_files.hpp"
 
+#include <system_error>
 #include <utility>
 
 #include "hitos/base/error.hpp"
@@ -24,7 +25,9 @@ bool is_one(const std::string& text, Parse parse) {
 }  // namespace
 
 std::optional<ReferenceKind> reference_kind(const std::filesystem::path& path) {
-    if (is_recording(path)) return std::nullopt;
+    // What can be read but once, or has no end, is left to its reader.
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored) || is_recording(path)) return std::nullopt;
     std::string text;
     // The first line that is no comment decides; damage behind it is told by the reader.
     for (const Message& line : first_lines_of(path)) {

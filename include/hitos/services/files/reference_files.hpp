@@ -9,8 +9,8 @@ namespace hitos {
 
 enum class ReferenceKind { map, trajectory };
 
-/// What the file holds, by its first lines and whatever its name; nothing where it is neither.
-/// Throws FileError.
+/// What the file holds, by its first lines and whatever its name; nothing where it is neither
+/// or no regular file. Throws FileError where it cannot be read.
 std::optional<ReferenceKind> reference_kind(const std::filesystem::path& path);
 
 /// Paths; empty where there is none.
