@@ -140,12 +140,21 @@ void ContactTest::a_refused_file_shows_its_first_lines() {
 void ContactTest::file_dialogs_open_where_there_are_files() {
     Fixture f;
     // The user's documents folder need not be there; a folder that was used last may have gone.
-    QVERIFY(QFileInfo(f.files.last_folder("picture")).isDir());
-    f.files.note_folder("picture", f.path("gone/a.png"));
-    QVERIFY(QFileInfo(f.files.last_folder("picture")).isDir());
+    const auto folder_of = [&](const QString& name) {
+        return QFileInfo(f.files.place_to_save(name)).absolutePath();
+    };
+    const QString first = folder_of("a.png");
+    QVERIFY(QFileInfo(first).isDir());
+    f.files.note_saved("picture", f.path("gone/a.png"));
+    QCOMPARE(folder_of("a.png"), first);
+    // Where something was read nothing is saved unasked; where one thing was saved, the next is.
+    f.files.note_opened("map", f.path("a.map"));
+    QCOMPARE(folder_of("map.txt"), first);
+    f.files.note_saved("picture", f.path("a.png"));
+    QCOMPARE(folder_of("map.txt"), f.folder.path());
     QCOMPARE(QFileInfo(f.files.folder_to_open("config")).canonicalFilePath(),
              QFileInfo(Fixture::source_file("config")).canonicalFilePath());
-    f.files.note_folder("config", f.path("a.cfg"));
+    f.files.note_opened("config", f.path("a.cfg"));
     QCOMPARE(f.files.folder_to_open("config"), f.folder.path());
     // And what comes with Hitos is one click away.
     in_dialog<QFileDialog>([](QFileDialog& dialog) {

@@ -52,6 +52,7 @@ class ScriptedPrompts final : public Prompts {
     // What was asked.
     QStringList warnings;
     QStringList warning_titles;
+    QStringList starts;  ///< where saving was to begin
     QStringList confirmed_texts;
     QStringList number_texts;
     QStringList offered;
@@ -65,6 +66,7 @@ class ScriptedPrompts final : public Prompts {
     }
     QString save_file(QWidget*, const FileQuestion& question) override {
         ++saves_asked;
+        starts << question.start;
         if (question.chosen != nullptr && !saves.isEmpty()) {
             *question.chosen =
                 filters.isEmpty() ? question.filters.section(";;", 0, 0) : filters.takeFirst();

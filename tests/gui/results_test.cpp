@@ -101,6 +101,15 @@ void RunTest::a_typed_ending_wins_over_the_filter() {
                  folder.filePath(written));
         expect_no_awaited_dialog();
     }
+    // A folder that is there is named, not walked into; whoever asked asks about it.
+    QDir(folder.path()).mkdir("results");
+    in_dialog<QFileDialog>([](QFileDialog& dialog) {
+        QCOMPARE(dialog.findChild<QLineEdit*>("fileNameEdit")->text(), QString("results"));
+        dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save)->click();
+    });
+    QtPrompts prompts;
+    QCOMPARE(prompts.save_file(nullptr, {"Save", folder.path() + "/results", {}, {}, true}),
+             folder.filePath("results"));
 }
 
 void RunTest::the_map_is_saved_while_running() {

@@ -177,7 +177,7 @@ bool ConfigurationActions::choose_source(Configuracion next, bool confirmed) {
         if (dialog.summary()) emit inspected(next.source, summary);
         if (!use(next)) continue;
         const QString file = QString::fromStdString(next.source.file);
-        files_.note_folder("log", file);
+        files_.note_opened("log", file);
         files_.note_recent(file);
         emit notice(tr("Source loaded: %1, %2")
                         .arg(QFileInfo(file).fileName(),
@@ -248,7 +248,7 @@ bool ConfigurationActions::load_file(const QString& path, bool confirmed) {
         return true;  // the user's own wish, nothing to mend
     }
     if (!use(next)) return false;
-    files_.note_folder("config", path);
+    files_.note_opened("config", path);
     files_.note_recent(path);
     emit notice(tr("Configuration loaded: %1").arg(QFileInfo(path).fileName()));
     return true;
@@ -287,23 +287,24 @@ void ConfigurationActions::load() {
 }
 
 void ConfigurationActions::save() {
-    save_in(files_.last_folder("config"), tr("Save configuration"));
+    save_as(files_.place_to_save("hitos.cfg"), tr("Save configuration"));
 }
 
 void ConfigurationActions::save_preset() {
     QDir().mkpath(files_.presets_folder());
-    save_in(files_.presets_folder(), tr("Save as preset"));
+    save_as(files_.presets_folder() + "/hitos.cfg", tr("Save as preset"));
 }
 
-void ConfigurationActions::save_in(const QString& folder, const QString& title) {
+void ConfigurationActions::save_as(const QString& start, const QString& title) {
     const QString path = save_until_done(
-        prompts_, window_,
-        {title, folder + "/hitos.cfg", tr("Configurations (*.cfg);;All files (*)"), "cfg"},
+        prompts_, window_, {title, start, tr("Configurations (*.cfg);;All files (*)"), "cfg"},
         [this](const QString& target) {
             ArchivoConfiguracion::write(session_.configuration(), target.toStdString());
         });
     if (path.isEmpty()) return;
-    files_.note_folder("config", path);
+    if (QFileInfo(path).absolutePath() != QFileInfo(files_.presets_folder()).absoluteFilePath()) {
+        files_.note_saved("config", path);  // presets have a menu of their own
+    }
     files_.note_recent(path);
     emit notice(tr("Configuration saved: %1").arg(QDir::toNativeSeparators(path)));
 }

@@ -73,7 +73,7 @@ class ConfigurationActions final : public QObject {
   private:
     void note_change();
     void go_to(std::vector<Configuracion>& there, std::vector<Configuracion>& back);
-    void save_in(const QString& folder, const QString& title);
+    void save_as(const QString& start, const QString& title);
     bool load_file(const QString& path, bool confirmed);
     bool use_log(const QString& path);
     bool choose_source(Configuracion next, bool confirmed);

@@ -52,7 +52,7 @@ bool ConfigurationActions::use_reference(const QString& path, FileKind kind) {
         prompts_.warn(window_, tr("The reference was not loaded"), words_of(error));
         return false;
     }
-    files_.note_folder("map", path);
+    files_.note_opened("map", path);
     files_.note_recent(path);
     return true;
 }

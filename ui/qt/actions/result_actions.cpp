@@ -161,7 +161,7 @@ void ResultActions::save_moment(const std::shared_future<ParticleDetails>& momen
                                 const QString& title) {
     const QString path = save_until_done(
         prompts_, window_,
-        {title, files_.last_folder("map") + "/map",
+        {title, files_.place_to_save("map"),
          tr("Maps (*.txt *.map);;Segments (*.seg);;CAD drawings (*.dxf);;All files (*)"), "txt"},
         [&](const QString& target) {
             const ParticleDetails& now = moment.get();
@@ -176,7 +176,7 @@ void ResultActions::save_moment(const std::shared_future<ParticleDetails>& momen
             }
         });
     if (path.isEmpty()) return;
-    files_.note_folder("map", path);
+    files_.note_saved("map", path);
     emit notice(tr("Map saved: %1").arg(QDir::toNativeSeparators(path)));
 }
 
@@ -185,12 +185,11 @@ void ResultActions::save_path_of(int particle) {
     const auto moment = moment_of(static_cast<std::size_t>(particle));
     const QString path = save_until_done(
         prompts_, window_,
-        {tr("Save the path of particle %1").arg(particle),
-         files_.last_folder("map") + "/trajectory", tr("Trajectories (*.tum);;All files (*)"),
-         "tum"},
+        {tr("Save the path of particle %1").arg(particle), files_.place_to_save("trajectory"),
+         tr("Trajectories (*.tum);;All files (*)"), "tum"},
         [&](const QString& target) { write_trajectory(moment.get().path, target.toStdString()); });
     if (path.isEmpty()) return;
-    files_.note_folder("map", path);
+    files_.note_saved("map", path);
     emit notice(tr("Path saved: %1").arg(QDir::toNativeSeparators(path)));
 }
 
@@ -205,9 +204,10 @@ void ResultActions::save_results() {
     const QString folder = ask_where_to_save(
         prompts_, window_,
         {tr("Save all results: name of a new folder"),
-         results_folder_.isEmpty() ? files_.last_folder("map") + "/results" : results_folder_,
-         tr("Folders (*)"),
-         {}});
+         results_folder_.isEmpty() ? files_.place_to_save("results") : results_folder_,
+         {},
+         {},
+         true});
     results_folder_ = folder;
     if (!folder.isEmpty()) write_results_to(folder);
 }
@@ -261,6 +261,7 @@ void ResultActions::end_writing(int number, const QString& folder, const QString
         return;
     }
     results_folder_.clear();
+    files_.note_saved("results", folder);
     const QString saved = tr("Results saved: %1").arg(QDir::toNativeSeparators(folder));
     emit notice(missing.isEmpty() ? saved
                                   : tr("%1; not written: %2").arg(saved, missing.join(", ")));
@@ -272,13 +273,13 @@ void ResultActions::save_figures() {
     const std::optional<Trajectory>& reference = session_.references().trajectory;
     const QString path = save_until_done(
         prompts_, window_,
-        {tr("Save the figures of every scan"), files_.last_folder("map") + "/figures.csv",
+        {tr("Save the figures of every scan"), files_.place_to_save("figures.csv"),
          tr("Tables (*.csv)"), "csv"},
         [&](const QString& target) {
             write_figures(figures, reference ? &*reference : nullptr, target.toStdString());
         });
     if (path.isEmpty()) return;
-    files_.note_folder("map", path);
+    files_.note_saved("figures", path);
     emit notice(tr("Figures saved: %1").arg(QDir::toNativeSeparators(path)));
 }
 
@@ -302,13 +303,12 @@ void ResultActions::save_picture(const CanvasView& view) {
 
 void ResultActions::save_picture_as(const QString& name,
                                     const std::function<void(const QString&)>& write) {
-    const QString path =
-        save_until_done(prompts_, window_in_use(),
-                        {tr("Save as image"), files_.last_folder("picture") + '/' + name,
-                         picture_filter(), QFileInfo(name).suffix()},
-                        write);
+    const QString path = save_until_done(prompts_, window_in_use(),
+                                         {tr("Save as image"), files_.place_to_save(name),
+                                          picture_filter(), QFileInfo(name).suffix()},
+                                         write);
     if (path.isEmpty()) return;
-    files_.note_folder("picture", path);
+    files_.note_saved("picture", path);
     emit notice(tr("Image saved: %1").arg(QDir::toNativeSeparators(path)));
 }
 

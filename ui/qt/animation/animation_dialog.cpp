@@ -24,13 +24,11 @@ constexpr int kFramesAtFirst = 250;  // ten seconds
 
 /// The name of a folder that is not there yet; empty where the user gave up.
 QString ask_for_folder(UserFiles& files, Prompts& prompts, QWidget* window) {
-    QString start = files.last_folder("picture") + "/animation";
+    QString start = files.place_to_save("animation");
     for (;;) {
-        QString folder =
-            prompts.save_file(window, {AnimationDialog::tr("Save animation: name of a new folder"),
-                                       start,
-                                       AnimationDialog::tr("Folders (*)"),
-                                       {}});
+        QString folder = prompts.save_file(
+            window,
+            {AnimationDialog::tr("Save animation: name of a new folder"), start, {}, {}, true});
         if (folder.isEmpty() || !QFileInfo::exists(folder)) return folder;
         tell_not_written(prompts, window,
                          AnimationDialog::tr("%1 is there already; name a new folder.")
@@ -158,7 +156,7 @@ void save_animation(Session& session, UserFiles& files, Prompts& prompts, ScanVi
     } else if (!trouble.isEmpty()) {
         tell_not_written(prompts, window, trouble);
     } else {
-        files.note_folder("picture", plan.folder);
+        files.note_saved("picture", plan.folder);
         notice(result_words(animation, plan.folder));
     }
 }

@@ -237,10 +237,10 @@ void StudyDialog::open_run() {
 void StudyDialog::save_plot() {
     const QString path = save_until_done(
         prompts_, this,
-        {tr("Save plot"), files_.last_folder("picture") + "/study.png", picture_filter(), "png"},
+        {tr("Save plot"), files_.place_to_save("study.png"), picture_filter(), "png"},
         [this](const QString& target) { write_picture(ui_->plots->picture(2.0), target); });
     if (path.isEmpty()) return;
-    files_.note_folder("picture", path);
+    files_.note_saved("picture", path);
     show_verdict(tr("Plot saved: %1").arg(QDir::toNativeSeparators(path)), "muted");
 }
 

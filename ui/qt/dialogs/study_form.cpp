@@ -125,7 +125,7 @@ void StudyForm::restore() {
     ui_.reference->setText(QDir::toNativeSeparators(
         loaded.isEmpty() ? settings.value("study/reference").toString() : loaded));
     ui_.pictures->setChecked(settings.value("study/pictures", false).toBool());
-    const QString folder = files_.last_folder("study") + "/hitos-study";
+    const QString folder = files_.place_to_save("hitos-study");
     set_folder(settings.value("study/folder", folder).toString());
 }
 
@@ -237,7 +237,7 @@ void StudyForm::browse_reference() {
          {}});
     if (path.isEmpty()) return;
     ui_.reference->setText(QDir::toNativeSeparators(path));
-    files_.note_folder("map", path);
+    files_.note_opened("map", path);
 }
 
 void StudyForm::browse_folder() {

@@ -28,6 +28,29 @@ QStringList endings_of(const QString& filter) {
     return endings;
 }
 
+/// Asks for the name of a folder to write: that of one that is there is taken too, where the usual
+/// dialog would walk into it.
+class FolderNameDialog final : public QFileDialog {
+  public:
+    FolderNameDialog(QWidget* parent, const QString& title, const QString& folder)
+        : QFileDialog(parent, title, folder) {
+        setOption(QFileDialog::DontUseNativeDialog);
+        setOption(QFileDialog::DontConfirmOverwrite);
+        setAcceptMode(QFileDialog::AcceptSave);
+        setFileMode(QFileDialog::AnyFile);
+    }
+
+  protected:
+    void accept() override {
+        const QString named = selectedFiles().value(0);
+        if (QFileInfo(named).isDir() && named != directory().absolutePath()) {
+            QDialog::accept();
+        } else {
+            QFileDialog::accept();
+        }
+    }
+};
+
 }  // namespace
 
 QString with_ending(const QString& path, const QString& chosen, const QString& otherwise) {
@@ -55,6 +78,11 @@ QString QtPrompts::open_file(QWidget* parent, const FileQuestion& question) {
 }
 
 QString QtPrompts::save_file(QWidget* parent, const FileQuestion& question) {
+    if (question.folder) {
+        FolderNameDialog dialog(parent, question.title, QFileInfo(question.start).absolutePath());
+        dialog.selectFile(QFileInfo(question.start).fileName());
+        return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+    }
     QString filter;
     // Whether a file may be replaced is asked by the caller, the same way everywhere.
     const QString path =
@@ -99,12 +127,22 @@ void QtPrompts::warn(QWidget* parent, const QString& title, const QString& text)
 }
 
 bool may_overwrite(Prompts& prompts, QWidget* parent, const QString& path) {
-    return prompts.confirm(
-        parent,
-        {prompt(QT_TRANSLATE_NOOP("Prompts", "The file exists")),
-         prompt(QT_TRANSLATE_NOOP("Prompts", "Replace %1?")).arg(QFileInfo(path).fileName()),
-         prompt(QT_TRANSLATE_NOOP("Prompts", "What it holds now will be lost.")),
-         prompt(QT_TRANSLATE_NOOP("Prompts", "Replace")), true});
+    const QString name = QFileInfo(path).fileName();
+    if (QFileInfo(path).isDir()) {
+        return prompts.confirm(
+            parent,
+            {prompt(QT_TRANSLATE_NOOP("Prompts", "The folder exists")),
+             prompt(QT_TRANSLATE_NOOP("Prompts", "Write into %1?")).arg(name),
+             prompt(QT_TRANSLATE_NOOP("Prompts",
+                                      "Results of another run in it will be lost; other files "
+                                      "stay.")),
+             prompt(QT_TRANSLATE_NOOP("Prompts", "Replace")), true});
+    }
+    return prompts.confirm(parent,
+                           {prompt(QT_TRANSLATE_NOOP("Prompts", "The file exists")),
+                            prompt(QT_TRANSLATE_NOOP("Prompts", "Replace %1?")).arg(name),
+                            prompt(QT_TRANSLATE_NOOP("Prompts", "What it holds now will be lost.")),
+                            prompt(QT_TRANSLATE_NOOP("Prompts", "Replace")), true});
 }
 
 QString ask_where_to_save(Prompts& prompts, QWidget* parent, Prompts::FileQuestion question) {

@@ -20,6 +20,7 @@ class Prompts {
         QString start;              ///< folder or file to begin with
         QString filters;            ///< as QFileDialog takes them
         QString suffix;             ///< added to a name without one where the filter names none
+        bool folder = false;        ///< what is written is a folder
         QString* chosen = nullptr;  ///< takes the filter under which a file to write was named
     };
     struct Question {
@@ -66,7 +67,7 @@ class QtPrompts final : public Prompts {
 /// what is written.
 QString with_ending(const QString& path, const QString& chosen, const QString& otherwise);
 
-/// Whether the user lets an existing file be replaced.
+/// Whether the user lets an existing file, or the results in an existing folder, be replaced.
 bool may_overwrite(Prompts& prompts, QWidget* parent, const QString& path);
 void tell_not_written(Prompts& prompts, QWidget* parent, const QString& reason);
 

@@ -19,6 +19,7 @@ namespace {
 constexpr int kMostRecent = 10;
 constexpr int kLongestName = 60;  // letters, of which a file system may count each as four
 constexpr const char* kRecentKey = "recent/files";
+constexpr const char* kSaved = "saved";  // whatever its kind
 
 QString folder_or_default(const QString& folder) {
     return folder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation)
@@ -120,21 +121,34 @@ void UserFiles::clear_recent() {
     emit recent_changed();
 }
 
-QString UserFiles::last_folder(const QString& kind) const {
-    QString last = settings_.value("folders/" + kind).toString();
-    if (QFileInfo(last).isDir()) return last;
-    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    return QFileInfo(documents).isDir() ? documents : QDir::homePath();
+QString UserFiles::noted_folder(const QString& kind) const {
+    const QString noted = settings_.value("folders/" + kind).toString();
+    return QFileInfo(noted).isDir() ? noted : QString();
+}
+
+QString UserFiles::place_to_save(const QString& name) const {
+    QString folder = noted_folder(kSaved);
+    if (folder.isEmpty()) {
+        folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+        if (!QFileInfo(folder).isDir()) folder = QDir::homePath();
+    }
+    return folder + '/' + name;
 }
 
 QString UserFiles::folder_to_open(const QString& kind) const {
-    if (settings_.contains("folders/" + kind)) return last_folder(kind);
-    const QString shipped = shipped_folder(kind);
-    return shipped.isEmpty() ? last_folder(kind) : shipped;
+    for (const QString& folder : {noted_folder(kind), shipped_folder(kind)}) {
+        if (!folder.isEmpty()) return folder;
+    }
+    return QFileInfo(place_to_save({})).absolutePath();
 }
 
-void UserFiles::note_folder(const QString& kind, const QString& path) {
+void UserFiles::note_opened(const QString& kind, const QString& path) {
     settings_.setValue("folders/" + kind, QFileInfo(path).absolutePath());
+}
+
+void UserFiles::note_saved(const QString& kind, const QString& path) {
+    note_opened(kind, path);
+    note_opened(kSaved, path);
 }
 
 FileKind kind_of(const QString& path) {

@@ -31,17 +31,22 @@ class UserFiles final : public QObject {
     void note_recent(const QString& path);
     void clear_recent();
 
-    /// The folder to save a file of this kind in ("log", "config", "picture", "map"): where the
-    /// last one was, else the user's documents. It is there.
-    QString last_folder(const QString& kind) const;
-    /// The folder to look for one in: at first that of those which come with Hitos.
+    /// Where to save something under this name: where the last thing was saved, whatever it was,
+    /// else in the user's documents; never where something was only read. The folder is there.
+    QString place_to_save(const QString& name) const;
+    /// The folder to look for a file of this kind in ("log", "config", "map"): where the last one
+    /// was opened or saved, at first that of those which come with Hitos.
     QString folder_to_open(const QString& kind) const;
-    void note_folder(const QString& kind, const QString& path);
+    void note_opened(const QString& kind, const QString& path);
+    void note_saved(const QString& kind, const QString& path);
 
   signals:
     void recent_changed();
 
   private:
+    /// Empty where there is none, or no longer.
+    QString noted_folder(const QString& kind) const;
+
     QString folder_;
     QSettings settings_;
 };

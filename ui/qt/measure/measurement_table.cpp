@@ -272,17 +272,17 @@ void MeasurementTable::open(const QString& path) {
         prompts_.warn(this, tr("The file cannot be used"), words_of(problem));
         return;
     }
-    files_.note_folder("distances", path);
+    files_.note_opened("distances", path);
 }
 
 void MeasurementTable::save() {
-    const QString path = save_until_done(
-        prompts_, this,
-        {tr("Save as distances file"), files_.last_folder("distances") + "/walls.distances",
-         tr("Distances (*.distances *.txt);;All files (*)"), "distances"},
-        [this](const QString& target) { measurements_.save(target); });
+    const QString path =
+        save_until_done(prompts_, this,
+                        {tr("Save as distances file"), files_.place_to_save("walls.distances"),
+                         tr("Distances (*.distances *.txt);;All files (*)"), "distances"},
+                        [this](const QString& target) { measurements_.save(target); });
     if (path.isEmpty()) return;
-    files_.note_folder("distances", path);
+    files_.note_saved("distances", path);
     const int untrue = measurements_.distances_without_truth();
     const QString saved = tr("%1 of %2 measurements, those between walls, saved: %3")
                               .arg(measurements_.distances())

@@ -177,13 +177,13 @@ void RunsPanel::use() {
 
 QString RunsPanel::ask_folder() {
     return prompts_.choose_folder(this, tr("Open a folder of results"),
-                                  files_.last_folder("results"));
+                                  files_.folder_to_open("results"));
 }
 
 std::optional<ListedRun> RunsPanel::open_folder(const QString& folder) {
     try {
         ListedRun opened = list_.open(folder);
-        files_.note_folder("results", folder);
+        files_.note_opened("results", folder);
         return opened;
     } catch (const std::exception& error) {
         prompts_.warn(this, tr("The results were not opened"), words_of(error));

@@ -4518,6 +4518,18 @@
         <source>The file was not written</source>
         <translation>El archivo no se ha escrito</translation>
     </message>
+    <message>
+        <source>The folder exists</source>
+        <translation>La carpeta existe</translation>
+    </message>
+    <message>
+        <source>Write into %1?</source>
+        <translation>¿Escribir en %1?</translation>
+    </message>
+    <message>
+        <source>Results of another run in it will be lost; other files stay.</source>
+        <translation>Los resultados de otra ejecución que contenga se perderán; los demás ficheros quedan.</translation>
+    </message>
 </context>
 <context>
     <name>RunGuard</name>
@@ -4654,10 +4666,6 @@
     <message>
         <source>Save animation: name of a new folder</source>
         <translation>Guardar animación: nombre de una carpeta nueva</translation>
-    </message>
-    <message>
-        <source>Folders (*)</source>
-        <translation>Carpetas (*)</translation>
     </message>
     <message>
         <source>%1 is there already; name a new folder.</source>
@@ -6479,10 +6487,6 @@
     <message>
         <source>Save all results: name of a new folder</source>
         <translation>Guardar todos los resultados: nombre de una carpeta nueva</translation>
-    </message>
-    <message>
-        <source>Folders (*)</source>
-        <translation>Carpetas (*)</translation>
     </message>
     <message>
         <source>Results saved: %1</source>

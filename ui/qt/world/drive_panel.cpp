@@ -184,7 +184,7 @@ void DrivePanel::keep() {
     gamepad_.listen(false);  // a question has the user
     const QString path = save_until_done(
         prompts_, this,
-        {tr("Keep the tour as a world"), files_.last_folder("log") + QStringLiteral("/driven.toml"),
+        {tr("Keep the tour as a world"), files_.place_to_save(QStringLiteral("driven.toml")),
          tr("Worlds (*.toml)"), QStringLiteral("toml")},
         [this](const QString& file) {
             check_world_name(file);
@@ -195,7 +195,7 @@ void DrivePanel::keep() {
         if (!rested) drive_.go_on();
         return;
     }
-    files_.note_folder("log", path);
+    files_.note_saved("log", path);
     files_.note_recent(path);
     emit kept(path);
     emit notice(tr("The tour is kept as %1").arg(path));
@@ -214,7 +214,7 @@ void DrivePanel::save_log() {
 
 void DrivePanel::ask_for_log() {
     Prompts::FileQuestion question{tr("Save a log; the true path goes beside it as NAME.truth.tum"),
-                                   files_.last_folder("log") + QStringLiteral("/driven.log"),
+                                   files_.place_to_save(QStringLiteral("driven.log")),
                                    log_filters().join(QStringLiteral(";;")), QStringLiteral("log")};
     QString chosen;
     question.chosen = &chosen;
@@ -228,7 +228,7 @@ void DrivePanel::ask_for_log() {
         question.start = path;
         const QString truth = QString::fromStdString(files.truth.string());
         if (QFileInfo::exists(truth) && !may_overwrite(prompts_, this, truth)) continue;
-        files_.note_folder("log", path);
+        files_.note_saved("log", path);
         logs_.save(drive_.tour()->recorded(), std::move(files));
         return;
     }

@@ -83,7 +83,7 @@ bool WorldFiles::open(const QString& path) {
         prompts_.warn(window_, tr("The world cannot be opened"), words_of(error));
         return false;
     }
-    files_.note_folder("world", path);
+    files_.note_opened("world", path);
     return true;
 }
 
@@ -138,13 +138,12 @@ bool WorldFiles::save() {
 bool WorldFiles::save_as() {
     emit asked_for();
     const QString name = draft_.name() + QStringLiteral(".toml");
-    const QString path =
-        save_until_done(prompts_, window_,
-                        {tr("Save the world"), QDir(files_.last_folder("world")).filePath(name),
-                         tr("Worlds (*.toml)"), QStringLiteral("toml")},
-                        [this](const QString& file) { write(file); });
+    const QString path = save_until_done(prompts_, window_,
+                                         {tr("Save the world"), files_.place_to_save(name),
+                                          tr("Worlds (*.toml)"), QStringLiteral("toml")},
+                                         [this](const QString& file) { write(file); });
     if (path.isEmpty()) return false;
-    files_.note_folder("world", path);
+    files_.note_saved("world", path);
     files_.note_recent(path);
     return true;
 }
