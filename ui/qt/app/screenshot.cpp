@@ -63,6 +63,7 @@ void run_steps(Session& session, std::uint64_t steps) {
 
 void write_picture_of(QWidget& widget, const CommandLine& line) {
     apply_size(widget, line.size);
+    QApplication::processEvents();  // what scrolls now has its bar
     write_image(widget.grab().toImage(), QString::fromStdString(line.screenshot));
 }
 

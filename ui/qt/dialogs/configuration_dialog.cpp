@@ -77,9 +77,13 @@ ConfigurationDialog::ConfigurationDialog(const Configuracion& configuration, QWi
     connect(ui_->buttons, &QDialogButtonBox::accepted, this, &ConfigurationDialog::accept);
     connect(ui_->buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(ui_->buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
-            [this] { fill(Configuracion{}); });
-    scroll_down_only(*ui_->scroll);
+            [this] {
+                fill(Configuracion{});
+                arrange();
+            });
     fill(configuration);
+    scroll_down_only(*ui_->scroll);  // with all fields, so that none makes it wider later
+    arrange();
     fit_to_screen(*this);
 }
 
@@ -112,7 +116,6 @@ void ConfigurationDialog::add_group(Group group, QGridLayout* rows, QWidget* box
 void ConfigurationDialog::fill(const Configuracion& configuration) {
     for (FieldOf<Configuracion>* field : fields_) field->set_value(configuration);
     show_verdict();
-    arrange();
 }
 
 FieldOf<Configuracion>* ConfigurationDialog::field(std::string_view key) const {
