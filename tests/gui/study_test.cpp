@@ -175,8 +175,8 @@ void StudyTest::decimal_commas_are_those_of_the_country() {
         return form.findChild<QLabel*>("error_association.p0")->text();
     };
     struct Comma {
-        Comma() { set_decimal_comma(*qApp, true); }
-        ~Comma() { set_decimal_comma(*qApp, false); }
+        Comma() { set_decimal_comma(true); }
+        ~Comma() { set_decimal_comma(false); }
     };
     StudyFixture f;
     f.study.form().set_assignment("p0=");

@@ -226,6 +226,12 @@ void check_choices(const EvaluateOptions& options) {
 }
 
 void evaluate(EvaluateOptions options) {
+    const std::vector<std::pair<const char*, std::string*>> inputs{
+        {"--map", &options.map},
+        {"--trajectory", &options.trajectory},
+        {"--distances", &options.distances},
+        {"--relations", &options.relations}};
+    for (const auto& [option, file] : inputs) *file = input_named(*file, option);
     const ReferenceFiles references =
         reference_files(options.reference, options.reference_trajectory);
     options.reference = references.map;
@@ -239,12 +245,6 @@ void evaluate(EvaluateOptions options) {
             options.trajectory = (run / "trajectory.tum").string();
         }
     }
-    const std::vector<std::pair<const char*, std::string*>> inputs{
-        {"--map", &options.map},
-        {"--trajectory", &options.trajectory},
-        {"--distances", &options.distances},
-        {"--relations", &options.relations}};
-    for (const auto& [option, file] : inputs) *file = input_named(*file, option);
     check_choices(options);
     Report report(options.json);
     if (!options.run.empty()) evaluate_crispness(options, report);

@@ -16,6 +16,7 @@ namespace hitos::window {
 
 void prepare_application() {
     use_resources();
+    qApp->installEventFilter(new NumberBoxes(qApp));
     QApplication::setApplicationName("hitos");
     QApplication::setApplicationDisplayName("Hitos");
     QApplication::setApplicationVersion(QString::fromStdString(version()));
@@ -27,7 +28,7 @@ void speak(QApplication& application, const QString& language) {
     // Files and command lines write numbers with a point; so does the window. What is written in it
     // may have the country's comma.
     QLocale::setDefault(QLocale::c());
-    set_decimal_comma(application, locale.decimalPoint() == ",");
+    set_decimal_comma(locale.decimalPoint() == ",");
     if (locale.language() != QLocale::Spanish) return;
     auto* qt_words = new QTranslator(&application);
     if (qt_words->load("qtbase_es", QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {

@@ -148,7 +148,8 @@ QProgressBar::chunk { background: %accent; border-radius: 3px; }
 QSplitter::handle { background: transparent; }
 QStatusBar { background: %window; }
 QStatusBar::item { border: none; }
-QLineEdit[state="wrong"]:enabled, QComboBox[state="wrong"]:enabled {
+QLineEdit[state="wrong"]:enabled, QComboBox[state="wrong"]:enabled,
+QAbstractSpinBox[state="wrong"]:enabled {
   border: 1px solid %danger; border-radius: 3px; }
 QDockWidget::title { padding: 6px 8px; text-align: left; font-weight: 600; }
 )");

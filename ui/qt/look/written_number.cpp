@@ -3,7 +3,11 @@
 #include <QApplication>
 #include <QDoubleSpinBox>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QRegularExpression>
+#include <QToolTip>
+
+#include "theme.hpp"
 
 namespace hitos::window {
 namespace {
@@ -13,34 +17,69 @@ bool& comma() {
     return on;
 }
 
-class CommaIsPoint final : public QObject {
-  public:
-    using QObject::QObject;
+/// Of a spin box that has refused a key: what it shows is not what was typed.
+constexpr const char* kRefused = "refused";
 
-  protected:
-    bool eventFilter(QObject* watched, QEvent* event) override {
-        if (event->type() != QEvent::KeyPress || !decimal_comma()) return false;
-        const auto& key = static_cast<const QKeyEvent&>(*event);
-        if (key.text() != "," || qobject_cast<QDoubleSpinBox*>(watched) == nullptr) return false;
-        QKeyEvent point(QEvent::KeyPress, Qt::Key_Period, key.modifiers(), ".");
-        QApplication::sendEvent(watched, &point);
-        return true;
+QString range_of(const QAbstractSpinBox& box) {
+    if (const auto* whole = qobject_cast<const QSpinBox*>(&box))
+        return NumberBoxes::tr("Allowed: %1 to %2").arg(whole->minimum()).arg(whole->maximum());
+    if (const auto* real = qobject_cast<const QDoubleSpinBox*>(&box)) {
+        return NumberBoxes::tr("Allowed: %1 to %2")
+            .arg(real->textFromValue(real->minimum()), real->textFromValue(real->maximum()));
     }
-};
+    return {};
+}
+
+void tell_range(QAbstractSpinBox& box) {
+    QToolTip::showText(box.mapToGlobal(QPoint(0, box.height())), range_of(box), &box);
+}
 
 }  // namespace
+
+/// Before it is shown: what was typed and is out of range is told, and not taken for what is left
+/// of it.
+void NumberBoxes::look_after(QAbstractSpinBox& box) {
+    const auto refuse = [&box](bool refused) {
+        box.setProperty(kRefused, refused);
+        set_look(box, "state", refused ? "wrong" : "good");
+        if (refused) tell_range(box);
+    };
+    auto* line = box.findChild<QLineEdit*>();
+    if (line == nullptr) return;
+    connect(line, &QLineEdit::inputRejected, &box, [refuse] { refuse(true); });
+    connect(line, &QLineEdit::textEdited, &box,
+            [&box, refuse] { refuse(!box.hasAcceptableInput()); });
+    connect(&box, &QAbstractSpinBox::editingFinished, &box, [refuse] { refuse(false); });
+}
+
+bool NumberBoxes::eventFilter(QObject* watched, QEvent* event) {
+    const bool polish = event->type() == QEvent::Polish;
+    if (!polish && event->type() != QEvent::KeyPress) return false;
+    auto* box = qobject_cast<QAbstractSpinBox*>(watched);
+    if (box == nullptr) return false;
+    if (polish) {
+        look_after(*box);
+        return false;
+    }
+    const auto& key = static_cast<const QKeyEvent&>(*event);
+    if (key.text() == "," && decimal_comma() && qobject_cast<QDoubleSpinBox*>(box) != nullptr) {
+        QKeyEvent point(QEvent::KeyPress, Qt::Key_Period, key.modifiers(), ".");
+        QApplication::sendEvent(box, &point);
+        return true;
+    }
+    const bool ends = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
+    if (!ends || !box->property(kRefused).toBool()) return false;
+    tell_range(*box);
+    box->selectAll();
+    return true;
+}
 
 bool decimal_comma() {
     return comma();
 }
 
-void set_decimal_comma(QApplication& application, bool on) {
+void set_decimal_comma(bool on) {
     comma() = on;
-    constexpr const char* kName = "comma_is_point";
-    if (!on || application.findChild<QObject*>(kName) != nullptr) return;
-    auto* filter = new CommaIsPoint(&application);
-    filter->setObjectName(kName);
-    application.installEventFilter(filter);
 }
 
 QString with_point(const QString& number) {

@@ -2,16 +2,33 @@
 // where the user's country writes commas, a comma that is typed is one.
 #pragma once
 
+#include <QObject>
 #include <QString>
 
-class QApplication;
+class QAbstractSpinBox;
 
 namespace hitos::window {
 
 /// Whether the user's country writes decimal commas.
 bool decimal_comma();
-/// Before there is a window. Spin boxes then take a comma for the point that they show.
-void set_decimal_comma(QApplication& application, bool on);
+/// Before there is a window.
+void set_decimal_comma(bool on);
+
+/// Of the application: every spin box takes a decimal comma for the point that it shows, and tells
+/// of a number out of its range, for which Return does not do; what was left of it would be another
+/// one.
+class NumberBoxes final : public QObject {
+    Q_OBJECT
+
+  public:
+    using QObject::QObject;
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    static void look_after(QAbstractSpinBox& box);
+};
 
 /// As the library reads a number.
 QString with_point(const QString& number);

@@ -6305,6 +6305,13 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::NumberBoxes</name>
+    <message>
+        <source>Allowed: %1 to %2</source>
+        <translation>Permitido: de %1 a %2</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::PaceControl</name>
     <message>
         <source>recorded × %1</source>
