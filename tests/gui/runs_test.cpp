@@ -122,6 +122,24 @@ void RunsTest::a_finished_run_is_another_than_one_at_its_last_scan() {
     QCOMPARE(runs[1].run->scans, runs[2].run->scans);
 }
 
+void RunsTest::a_finished_run_stays_so_when_one_looks_back() {
+    RunsFixture f;
+    f.run_to_end();
+    const std::shared_ptr<const Snapshot> end = f.session.snapshot();
+    f.session.seek(180);
+    QTRY_VERIFY(f.steps() == 180U && f.shows_everything());
+    f.trigger("action_restart");
+    const KeptRun& kept = *f.list().runs().back().run;
+    QVERIFY(kept.finished);
+    QCOMPARE(kept.scans, end->steps);
+    QVERIFY(kept.path == end->best_trajectory && kept.grid.tiles == end->step_grid.tiles);
+    // The next one of the same log is another run.
+    f.run_steps(20);
+    f.change(11);
+    QVERIFY(!f.list().runs().back().run->finished);
+    QCOMPARE(f.list().runs().back().run->scans, 20U);
+}
+
 void RunsTest::runs_of_two_logs_are_told_apart() {
     RunsFixture f;
     f.run_steps(40);

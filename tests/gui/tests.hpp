@@ -116,6 +116,7 @@ class RunsTest : public QObject {
     void a_folder_without_results_is_told();
     void results_without_their_log_are_shown_without_grid();
     void a_long_run_is_kept_until_it_is_left();
+    void a_finished_run_stays_so_when_one_looks_back();
     void a_killed_windows_run_is_told_by_the_next_one();
     void a_run_whose_display_dies_is_told_by_the_next_window();
 };

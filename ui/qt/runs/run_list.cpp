@@ -20,6 +20,10 @@ QString run_words(const char* text) {
     return QCoreApplication::translate("RunList", text);
 }
 
+bool has_ended(const Snapshot& state) {
+    return state.revision > state.steps;
+}
+
 /// The same scans under the same parameters: the results are equal to the last bit.
 bool same(const KeptRun& a, const KeptRun& b) {
     return a.scans == b.scans && a.finished == b.finished &&
@@ -67,9 +71,14 @@ RunList::RunList(Session& session, QObject* parent) : QObject(parent), session_(
     connect(&session, &Session::restarted, this, [this] {
         present_ = nullptr;
         of_ = nullptr;
+        ended_ = nullptr;
     });
     connect(&session, &Session::configuration_changed, this, &RunList::changed);
-    connect(&session, &Session::snapshot_changed, this, &RunList::present_changed);
+    connect(&session, &Session::snapshot_changed, this, [this] {
+        const std::shared_ptr<const Snapshot> now = session_.snapshot();
+        if (now && has_ended(*now)) ended_ = now;
+        emit present_changed();
+    });
     connect(&session, &Session::progress_changed, this, [this] {
         const bool rests = present_rests();
         if (rests != std::exchange(rested_, rests)) emit present_changed();
@@ -80,21 +89,24 @@ std::shared_ptr<const KeptRun> RunList::present() const {
     const std::shared_ptr<const Snapshot> now = session_.snapshot();
     if (present_ && now == of_) return present_;
     of_ = now;
+    present_ = std::make_shared<const KeptRun>(run_at(now.get()));
+    return present_;
+}
+
+KeptRun RunList::run_at(const Snapshot* state) const {
     KeptRun run;
     run.configuration = session_.configuration();
-    if (now && now->steps > 0) {
-        run.scans = now->steps;
-        run.finished = now->revision > now->steps;
-        run.seconds = session_.computed_seconds(now->steps);
-        run.map = now->best_map;
-        run.line_extents = now->line_extents;
-        run.path = now->best_trajectory;
-        run.odometry = now->odometry_trajectory;
-        run.grid = now->step_grid;
-        measure(run);
-    }
-    present_ = std::make_shared<const KeptRun>(std::move(run));
-    return present_;
+    if (state == nullptr || state->steps == 0) return run;
+    run.scans = state->steps;
+    run.finished = has_ended(*state);
+    run.seconds = session_.computed_seconds(state->steps);
+    run.map = state->best_map;
+    run.line_extents = state->line_extents;
+    run.path = state->best_trajectory;
+    run.odometry = state->odometry_trajectory;
+    run.grid = state->step_grid;
+    measure(run);
+    return run;
 }
 
 /// A run on the log that the references belong to.
@@ -156,18 +168,15 @@ ListedRun RunList::add(ListedRun listed) {
     return kept_.back();
 }
 
+/// Whole, where it has come to its end, whatever scan it was taken back to since.
 void RunList::keep_present() {
+    const std::shared_ptr<const Snapshot> state = ended_ ? ended_ : session_.snapshot();
     // One scan shows nothing that could be compared.
-    const auto run = present();
-    if (run->scans <= 1) return;
-    if (!of_ || !of_->grid_behind) {
-        add({0, run});
-        return;
-    }
+    if (!state || state->steps <= 1) return;
+    KeptRun run = run_at(state.get());
     // Walls from before a correction do not belong to the path after it, for good.
-    auto without_grid = std::make_shared<KeptRun>(*run);
-    without_grid->grid = {};
-    add({0, std::move(without_grid)});
+    if (state->grid_behind) run.grid = {};
+    add({0, std::make_shared<const KeptRun>(std::move(run))});
 }
 
 void RunList::remove(int number) {

@@ -32,8 +32,8 @@ QString source_words(const ListedRun& listed);
 QString difference_words(const Configuracion& configuration, const Configuracion& base);
 
 /// Keeps every run that is left with more than one scan: by another configuration, another log or
-/// a new start. Of runs that are the same scan for scan one stays, and of more than kMost runs the
-/// newest.
+/// a new start; whole where it has been at its end. Of runs that are the same scan for scan one
+/// stays, and of more than kMost runs the newest.
 class RunList final : public QObject {
     Q_OBJECT
 
@@ -59,6 +59,7 @@ class RunList final : public QObject {
 
   private:
     std::shared_ptr<const KeptRun> present() const;
+    KeptRun run_at(const Snapshot* state) const;
     void keep_present();
     ListedRun add(ListedRun listed);
     void measure(KeptRun& run) const;
@@ -71,6 +72,7 @@ class RunList final : public QObject {
     bool rested_ = true;
     mutable std::shared_ptr<const KeptRun> present_;  ///< of the snapshot below; null: unknown
     mutable std::shared_ptr<const Snapshot> of_;
+    std::shared_ptr<const Snapshot> ended_;  ///< of the run of the window, where it was at its end
 };
 
 }  // namespace hitos::window
