@@ -343,7 +343,7 @@ TEST_F(PathMeasures, TellOfAReferenceThatIsNotOneOfTheRun) {
     for (const std::string& command :
          {run + "2", cli_ + " study " + short_log_ + " --vary p=3 --out " + path("study"),
           cli_ + " evaluate " + path("run")}) {
-        const Outcome refused = shell(command + " --reference-trajectory " + other);
+        const Outcome refused = shell(fmt::format("{} --reference-trajectory {}", command, other));
         EXPECT_EQ(refused.status, 1) << command;
         EXPECT_THAT(refused.output, HasSubstr("is not one of this tour: 0 of 50 poses")) << command;
     }

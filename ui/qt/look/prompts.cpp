@@ -44,7 +44,7 @@ class FolderNameDialog final : public QFileDialog {
     void accept() override {
         const QString named = selectedFiles().value(0);
         if (QFileInfo(named).isDir() && named != directory().absolutePath()) {
-            QDialog::accept();
+            done(Accepted);
         } else {
             QFileDialog::accept();
         }
