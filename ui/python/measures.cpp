@@ -91,8 +91,8 @@ void bind_measures(py::module_& module) {
 t, x, y, theta, after the best rigid alignment (docs/evaluation.md). Between poses of the
 reference that are no more than 0.5 s apart, or twice `tolerance`, it is interpolated; elsewhere
 stamps have to agree within `tolerance` seconds. Error where the reference is of another time: fewer
-than three poses have one of it, or it lasts for less than a tenth of the path; a UserWarning where
-it tells of less than half of the poses.)");
+than three poses have one of it, both share less than a tenth of the path's time, or stamps agree by
+chance alone; a UserWarning where it tells of less than half of the poses.)");
     define(module, "read_trajectory", &read, py::arg("path"),
            "Reads a trajectory in TUM format, plain or gzip: N x 4 of t, x, y, theta.");
 }

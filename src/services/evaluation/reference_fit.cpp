@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t kFewest = 3;   // poses: two fit any two others but for their distance
 constexpr double kLeastShare = 0.1;  // of the path's time
-constexpr double kByChance = 0.1;    // of the stamps of two clocks some agree
+constexpr double kByChance = 0.1;    // of the stamps of two clocks some agree,
+constexpr std::size_t kFew = 10;     // but not many
 // [m] A landmark further away is none of the reference's; docs/evaluation.md has errors of maps.
 constexpr double kReach = 1.0;
 
@@ -56,15 +57,15 @@ ReferenceFit fit_of_reference(const Trajectory& path, const Trajectory& referenc
         });
     };
     const auto most = static_cast<double>(std::min(meanwhile(path), meanwhile(reference)));
-    const bool by_chance = static_cast<double>(fit.common) < kByChance * most;
+    const bool by_chance = fit.common < kFew && static_cast<double>(fit.common) < kByChance * most;
     if (fit.common >= std::min(kFewest, fit.poses) && !brief && !by_chance) return fit;
     const auto seconds = [](double time_s) { return fmt::format("{:.3f}", time_s); };
     throw Error(message(
         HITOS_TEXT("Errors",
                    "the reference trajectory is not one of this tour: %1 of %2 poses have one of "
                    "it within %3 s; the tour goes from second %4 to %5, the reference from %6 to "
-                   "%7; expected the true path of this very tour, with stamps of the same clock in "
-                   "seconds (of one with few poses --tolerance takes those that are further away)"),
+                   "%7; expected the true path of this very tour, of a tenth of its time at least, "
+                   "with stamps of the same clock in seconds"),
         fit.common, fit.poses, fmt::format("{:g}", tolerance_s), seconds(from), seconds(to),
         seconds(other_from), seconds(other_to)));
 }
@@ -83,16 +84,19 @@ ReferenceFit fit_of_reference(const TourReader& tour, const Trajectory& referenc
 std::optional<Advice> doubt_of_map(const LandmarkMap& map, const LandmarkMap& reference) {
     if (map.empty()) return std::nullopt;
     std::size_t near = 0;
+    std::size_t all = 0;  // of a kind that the reference has
     for (const ICaracteristica& landmark : map) {
         const auto error = map_error({landmark}, reference);
-        if (error && error->mean_m <= kReach) ++near;
+        if (!error) continue;
+        ++all;
+        if (error->mean_m <= kReach) ++near;
     }
-    if (2 * near >= map.size()) return std::nullopt;
+    if (all > 0 && 2 * near >= all) return std::nullopt;
     return Advice{HITOS_TEXT("Advice",
                              "Less than half of the landmarks lie within a metre of one of the "
                              "reference map (%1): is it of this place, and in the frame of the "
                              "robot's start?"),
-                  fmt::format("{}/{}", near, map.size()),
+                  fmt::format("{}/{}", near, all > 0 ? all : map.size()),
                   {}};
 }
 

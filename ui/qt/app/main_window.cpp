@@ -264,6 +264,7 @@ void MainWindow::connect_run() {
 void MainWindow::offer_start() {
     if (files_.has_init() || !files_.recent().isEmpty()) return;
     ui_->start->offer(*ui_->action_run, *ui_->action_select_source, *ui_->action_drive);
+    connect(&session_, &Session::configuration_changed, ui_->start, &QWidget::hide);
     connect(&session_, &Session::progress_changed, ui_->start, [this] {
         if (session_.progress().steps > 0) ui_->start->hide();
     });
@@ -421,8 +422,7 @@ void MainWindow::save_state() {
 
 void MainWindow::restore_state() {
     QSettings& settings = files_.settings();
-    restoreGeometry(settings.value("window/geometry").toByteArray());
-    keep_on_screen(*this);
+    if (restoreGeometry(settings.value("window/geometry").toByteArray())) keep_on_screen(*this);
     restore_docks(*this, settings.value("window/state").toByteArray());
     panels_->restore(settings);
     ui_->action_world_frame->setChecked(settings.value("window/world_frame", false).toBool());

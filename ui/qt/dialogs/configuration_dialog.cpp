@@ -140,9 +140,10 @@ void ConfigurationDialog::arrange() {
         for (FieldOf<Configuracion>* field : fields_) {
             if (group_of(field->parameter().table()).group != box.group) continue;
             const bool worth = !field->facts().card.empty() && field->is_used();
-            const bool here = !wanted.isEmpty() ? whole || has_all(search_text_of(field->facts()))
-                                                : box.more->isChecked() || worth ||
-                                                      field->differs() || field->has_error();
+            const bool here = !wanted.isEmpty()
+                                  ? whole || has_all(search_text_of(field->facts()))
+                                  : box.more->isChecked() || worth || field->differs() ||
+                                        field->has_error() || field->has_focus();
             field->set_shown(here);
             ++(here ? shown : left_out);
         }
@@ -236,7 +237,8 @@ void ConfigurationDialog::accept() {
 void ConfigurationDialog::keyPressEvent(QKeyEvent* event) {
     const bool searches = focusWidget() == ui_->search;
     if (searches && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)) {
-        const auto found = std::ranges::find_if(fields_, &ParameterField::is_shown);
+        const auto found = std::ranges::find_if(
+            fields_, [](const auto* field) { return field->is_shown() && field->is_used(); });
         if (found != fields_.end()) (*found)->focus();
     } else if (searches && event->key() == Qt::Key_Escape && !ui_->search->text().isEmpty()) {
         ui_->search->clear();

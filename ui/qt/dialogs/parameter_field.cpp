@@ -145,6 +145,10 @@ bool ParameterField::is_shown() const {
     return !editor()->isHidden();
 }
 
+bool ParameterField::has_focus() const {
+    return editor()->hasFocus();
+}
+
 void ParameterField::focus() {
     editor()->setFocus();
     if (line_ != nullptr) line_->selectAll();

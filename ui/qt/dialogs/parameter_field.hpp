@@ -40,6 +40,7 @@ class ParameterField : public QObject {
     bool is_used() const;
     void set_shown(bool shown);
     bool is_shown() const;
+    bool has_focus() const;
     void focus();
 
   signals:

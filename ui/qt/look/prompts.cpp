@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QInputDialog>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -43,7 +44,10 @@ class FolderNameDialog final : public QFileDialog {
   protected:
     void accept() override {
         const QString named = selectedFiles().value(0);
-        if (QFileInfo(named).isDir() && named != directory().absolutePath()) {
+        const auto* typed = findChild<QLineEdit*>("fileNameEdit");
+        const bool walks =
+            typed != nullptr && (typed->text().endsWith('/') || typed->text().endsWith(".."));
+        if (!walks && QFileInfo(named).isDir() && named != directory().absolutePath()) {
             done(Accepted);
         } else {
             QFileDialog::accept();

@@ -56,9 +56,11 @@ void place_beside_parent(QWidget& window, QPoint offset) {
 
 void keep_on_screen(QWidget& window) {
     const QScreen* there = QGuiApplication::screenAt(window.geometry().center());
-    const QRect room = room_on(there == nullptr ? *window.screen() : *there);
+    const QScreen& screen = there == nullptr ? *window.screen() : *there;
+    if (screen.availableGeometry().contains(window.geometry())) return;
+    const QRect room = room_on(screen);
     window.resize(window.size().boundedTo(room.size()));
-    if (!room.contains(window.geometry())) move_into(room, window, window.pos());
+    move_into(room, window, window.pos());
 }
 
 }  // namespace hitos::window

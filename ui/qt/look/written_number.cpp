@@ -46,10 +46,15 @@ void NumberBoxes::look_after(QAbstractSpinBox& box) {
     };
     auto* line = box.findChild<QLineEdit*>();
     if (line == nullptr) return;
+    const auto accept = [refuse] { refuse(false); };
+    // Another value comes before the word of a key that was refused.
+    if (auto* whole = qobject_cast<QSpinBox*>(&box))
+        connect(whole, &QSpinBox::valueChanged, &box, accept);
+    if (auto* real = qobject_cast<QDoubleSpinBox*>(&box))
+        connect(real, &QDoubleSpinBox::valueChanged, &box, accept);
     connect(line, &QLineEdit::inputRejected, &box, [refuse] { refuse(true); });
     connect(line, &QLineEdit::textEdited, &box,
             [&box, refuse] { refuse(!box.hasAcceptableInput()); });
-    connect(&box, &QAbstractSpinBox::editingFinished, &box, [refuse] { refuse(false); });
 }
 
 bool NumberBoxes::eventFilter(QObject* watched, QEvent* event) {
@@ -70,6 +75,7 @@ bool NumberBoxes::eventFilter(QObject* watched, QEvent* event) {
     const bool ends = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
     if (!ends || !box->property(kRefused).toBool()) return false;
     tell_range(*box);
+    box->setProperty(kRefused, false);  // told; who means what is left says so once more
     box->selectAll();
     return true;
 }

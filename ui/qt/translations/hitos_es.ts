@@ -2859,16 +2859,16 @@
         <translation>hay una medida de una ejecución con la palabra &quot;%1&quot;, pero las tablas, los registros o Python llaman &quot;%2&quot; a otra cosa; dele otra palabra</translation>
     </message>
     <message>
-        <source>the reference trajectory is not one of this tour: %1 of %2 poses have one of it within %3 s; the tour goes from second %4 to %5, the reference from %6 to %7; expected the true path of this very tour, with stamps of the same clock in seconds (of one with few poses --tolerance takes those that are further away)</source>
-        <translation>la trayectoria de referencia no es de este recorrido: %1 de %2 poses tienen una suya a menos de %3 s; el recorrido va del segundo %4 al %5 y la referencia del %6 al %7; se esperaba la trayectoria verdadera de este mismo recorrido, con tiempos del mismo reloj en segundos (de una con pocas poses, --tolerance toma las más alejadas)</translation>
-    </message>
-    <message>
         <source>%1 and %2 are both trajectories; expected one of them, and a map beside it</source>
         <translation>%1 y %2 son ambas trayectorias; se esperaba una de ellas y un mapa a su lado</translation>
     </message>
     <message>
         <source>%1 and %2 are both maps; expected one of them, and a trajectory beside it</source>
         <translation>%1 y %2 son ambos mapas; se esperaba uno de ellos y una trayectoria a su lado</translation>
+    </message>
+    <message>
+        <source>the reference trajectory is not one of this tour: %1 of %2 poses have one of it within %3 s; the tour goes from second %4 to %5, the reference from %6 to %7; expected the true path of this very tour, of a tenth of its time at least, with stamps of the same clock in seconds</source>
+        <translation>la trayectoria de referencia no es de este recorrido: %1 de %2 poses tienen una de ella a menos de %3 s; el recorrido va del segundo %4 al %5, la referencia del %6 al %7; se esperaba el camino verdadero de este mismo recorrido, de una décima parte de su tiempo al menos, con marcas del mismo reloj en segundos</translation>
     </message>
 </context>
 <context>
