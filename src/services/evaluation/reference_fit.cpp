@@ -65,7 +65,8 @@ ReferenceFit fit_of_reference(const Trajectory& path, const Trajectory& referenc
                    "the reference trajectory is not one of this tour: %1 of %2 poses have one of "
                    "it within %3 s; the tour goes from second %4 to %5, the reference from %6 to "
                    "%7; expected the true path of this very tour, of a tenth of its time at least, "
-                   "with stamps of the same clock in seconds"),
+                   "with stamps of the same clock in seconds (hitos-cli run and evaluate take "
+                   "poses that are further away with --tolerance)"),
         fit.common, fit.poses, fmt::format("{:g}", tolerance_s), seconds(from), seconds(to),
         seconds(other_from), seconds(other_to)));
 }

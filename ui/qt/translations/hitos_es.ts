@@ -2867,8 +2867,8 @@
         <translation>%1 y %2 son ambos mapas; se esperaba uno de ellos y una trayectoria a su lado</translation>
     </message>
     <message>
-        <source>the reference trajectory is not one of this tour: %1 of %2 poses have one of it within %3 s; the tour goes from second %4 to %5, the reference from %6 to %7; expected the true path of this very tour, of a tenth of its time at least, with stamps of the same clock in seconds</source>
-        <translation>la trayectoria de referencia no es de este recorrido: %1 de %2 poses tienen una de ella a menos de %3 s; el recorrido va del segundo %4 al %5, la referencia del %6 al %7; se esperaba el camino verdadero de este mismo recorrido, de una décima parte de su tiempo al menos, con marcas del mismo reloj en segundos</translation>
+        <source>the reference trajectory is not one of this tour: %1 of %2 poses have one of it within %3 s; the tour goes from second %4 to %5, the reference from %6 to %7; expected the true path of this very tour, of a tenth of its time at least, with stamps of the same clock in seconds (hitos-cli run and evaluate take poses that are further away with --tolerance)</source>
+        <translation>la trayectoria de referencia no es de este recorrido: %1 de %2 poses tienen una de ella a menos de %3 s; el recorrido va del segundo %4 al %5, la referencia del %6 al %7; se esperaba el camino verdadero de este mismo recorrido, de una décima parte de su tiempo al menos, con marcas del mismo reloj en segundos (hitos-cli run y evaluate toman poses más alejadas con --tolerance)</translation>
     </message>
 </context>
 <context>
