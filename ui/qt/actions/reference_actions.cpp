@@ -2,9 +2,7 @@
 
 #include "configuration_actions.hpp"
 #include "hitos/services/evaluation/reference_fit.hpp"
-#include "hitos/workbench/open_tour.hpp"
 #include "look/words_of.hpp"
-#include "session/background.hpp"
 
 namespace hitos::window {
 
@@ -22,10 +20,10 @@ std::optional<Advice> ConfigurationActions::take_references(const ReferenceFiles
         references.trajectory = read_trajectory(files.trajectory);
         // A tour that is being driven is not over.
         if (session_.has_source() && !session_.live_tour()) {
-            doubt = in_background([&] {
-                        return fit_of_reference(*open_tour(session_.configuration()),
-                                                *references.trajectory);
-                    }).doubt();
+            const auto fit = [&path = *references.trajectory](const Algoritmo& run) {
+                return fit_of_reference(run.reader(), path);
+            };
+            doubt = session_.worker()->with_run(fit).get().doubt();
         }
     }
     session_.set_references(references, map_file);

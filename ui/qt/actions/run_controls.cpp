@@ -75,6 +75,7 @@ void RunControls::set_up(const RunActions& actions, Session& session, QSettings&
     const auto refresh = [this, &session] {
         show_progress(session.progress(), session.has_source());
         if (session.has_source()) note_marks(session);
+        enable_events();
     };
     connect(&session, &Session::restarted, this, &RunControls::forget_marks);
     connect(&session, &Session::progress_changed, this, refresh);
@@ -160,7 +161,6 @@ void RunControls::show_progress(const Progress& progress, bool has_source) {
     if (!running) time_line_->arrive();
     const auto scan = static_cast<int>(progress.steps);
     time_line_->show_run(scan, static_cast<int>(total_.value_or(figures_taken_)));
-    enable_events();
 }
 
 void RunControls::enable_events() {
@@ -203,7 +203,6 @@ void RunControls::note_marks(const Session& session) {
     }
     time_line_->add_marks(fresh);
     note_disturbances(session);
-    enable_events();
 }
 
 /// What happens to a simulated robot, at the first scan after it.

@@ -23,8 +23,8 @@ struct ReferenceFit {
 
 /// The poses are paired as trajectory_error() pairs them. Throws Error, with the times of both,
 /// where fewer than three of the path's poses (or, of fewer, not all) have one of the reference,
-/// where the reference lasts for less than a tenth of the path's time, or where of the poses of
-/// that time less than a tenth have a partner: errors would be figures of nothing.
+/// where both share less than a tenth of the path's time, or where fewer than ten are paired and
+/// these are less than a tenth of what both have in that time: errors would be figures of nothing.
 ReferenceFit fit_of_reference(const Trajectory& path, const Trajectory& reference,
                               double tolerance_s = kSameStamp);
 /// The same of a tour before it is run: reads the stamps of its scans anew, and leaves it where it
