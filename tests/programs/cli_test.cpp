@@ -70,14 +70,15 @@ TEST(Cli, RunLeavesEverythingItPromises) {
 
 TEST(Cli, TheSavedConfigurationRepeatsTheRunForAnyNumberOfThreads) {
     const TempFolder folder;
+    const std::string tour = kSource + "/data/worlds/corridor.toml";
     const std::string first = (folder / "first").string();
-    const Outcome alone = cli("run " + kLog + quick() +
+    const Outcome alone = cli("run " + tour + quick() +
                               "--set filter.particles=600 --seed 7 --threads 1 --out " + first);
     ASSERT_EQ(alone.status, 0) << alone.output;
     for (const int threads : {2, 7}) {
         const std::string again = (folder / std::to_string(threads)).string();
         const Outcome outcome = cli(fmt::format(
-            "run {} --config {}/config.cfg --threads {} --out {}", kLog, first, threads, again));
+            "run {} --config {}/config.cfg --threads {} --out {}", tour, first, threads, again));
         ASSERT_EQ(outcome.status, 0) << outcome.output;
         for (const char* name :
              {"/map.txt", "/trajectory.tum", "/odometry.tum", "/grid_best.png"}) {
