@@ -1,5 +1,7 @@
 // A run as an animation. What makes the film is a script of the test's own, or missing.
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QSpinBox>
@@ -73,9 +75,40 @@ void ViewTest::a_run_is_saved_as_frames_and_a_film() {
         QTRY_VERIFY(f.steps() == static_cast<quint64>(scan) && f.shows_everything());
         f.window->grid_view().set_snapshot(f.session.snapshot());
         QCOMPARE(QImage(f.path(QString("film/frame-00000%1.png").arg(frame))),
-                 image_of(f.window->grid_view().picture(false, 1.0))
+                 image_of(f.window->grid_view().figures().front().as_seen(1.0))
                      .convertToFormat(QImage(f.path("film/frame-000001.png")).format()));
     }
+}
+
+void ViewTest::a_film_shows_both_views_up_to_its_size() {
+    Fixture f;
+    f.run_steps(30);
+    GridView& grid = f.window->grid_view();
+    const double zoom = grid.camera().pixels_per_m;
+    QVERIFY(grid.fits());
+    const OnlyPath path(folder_of_programs(f));
+    f.prompts.saves = {f.path("both")};
+    in_dialog<AnimationDialog>([](AnimationDialog& dialog) {
+        dialog.findChild<QSpinBox*>("animation_from")->setValue(2);
+        dialog.findChild<QSpinBox*>("animation_to")->setValue(30);
+        dialog.findChild<QSpinBox*>("animation_every")->setValue(28);
+        dialog.findChild<QComboBox*>("animation_view")->setCurrentIndex(2);
+        dialog.findChild<QComboBox*>("animation_size")->setCurrentIndex(2);
+        dialog.findChild<QCheckBox*>("animation_still")->setChecked(true);
+        dialog.accept();
+    });
+    f.trigger("action_save_animation");
+    QVERIFY2(f.prompts.warnings.isEmpty(), qPrintable(f.prompts.warnings.join(' ')));
+    const QImage first(f.path("both/frame-000001.png"));
+    const QImage last(f.path("both/frame-000002.png"));
+    QCOMPARE(first.size(), last.size());
+    QVERIFY(first.width() == 1920 || first.height() == 1080);
+    QVERIFY(first.width() <= 1920 && first.height() <= 1080);
+    QVERIFY(first != last);
+    // The camera stood where it was, and is free again.
+    QTRY_VERIFY(f.steps() == 30 && f.shows_everything());
+    QVERIFY(grid.fits());
+    QVERIFY(std::abs(grid.camera().pixels_per_m / zoom - 1.0) < 1e-9);
 }
 
 void ViewTest::an_animation_needs_no_film_maker() {

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <cmath>
 
+#include "dialogs/export_dialog.hpp"
 #include "gui_fixture.hpp"
 #include "inspect/joint_covariance.hpp"
 #include "tests.hpp"
@@ -63,9 +64,11 @@ void InspectTest::the_joint_covariance_is_a_picture() {
     f.prompts.saves = {f.path("joint.png"), f.path("joint.svg")};
     QApplication::clipboard()->clear();
     f.window->findChild<QPushButton*>("joint_copy")->click();
-    QCOMPARE(QApplication::clipboard()->image().size(), dock->picture(kCopyScale).pixels());
+    QCOMPARE(QApplication::clipboard()->image().size(), view.size() * 2);
+    in_dialog<ExportDialog>([](ExportDialog& dialog) { dialog.accept(); });
     f.window->findChild<QPushButton*>("joint_picture")->click();
     QCOMPARE(QImage(f.path("joint.png")).size(), view.size() * 2);
+    in_dialog<ExportDialog>([](ExportDialog& dialog) { dialog.accept(); });
     f.window->findChild<QPushButton*>("joint_picture")->click();
     QVERIFY(Fixture::read(f.path("joint.svg")).contains("<svg"));
     // It follows the run, as long as it can be seen.

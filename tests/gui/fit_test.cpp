@@ -14,7 +14,7 @@
 
 #include "animation/animation_dialog.hpp"
 #include "dialogs/configuration_dialog.hpp"
-#include "dialogs/picture_dialog.hpp"
+#include "dialogs/export_dialog.hpp"
 #include "dialogs/run_until_dialog.hpp"
 #include "dialogs/source_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
@@ -243,7 +243,8 @@ void FitTest::every_window_fits() {
         check_dialog(source, {720, 480}, "source");
         source.findChild<QCheckBox*>("how")->setChecked(true);
         check_dialog(source, {720, 480}, "source with how it is read");
-        PictureDialog picture(f.window->grid_view(), f.window.get());
+        ExportDialog picture(f.window->grid_view().exportable(), f.files.settings(),
+                             f.window.get());
         check_dialog(picture, picture.sizeHint(), "picture");
         RunUntilDialog until(f.session, f.files.settings(), f.window.get());
         check_dialog(until, until.sizeHint(), "run until");

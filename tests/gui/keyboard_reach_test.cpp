@@ -18,7 +18,7 @@
 
 #include "animation/animation_dialog.hpp"
 #include "dialogs/configuration_dialog.hpp"
-#include "dialogs/picture_dialog.hpp"
+#include "dialogs/export_dialog.hpp"
 #include "dialogs/run_until_dialog.hpp"
 #include "dialogs/source_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
@@ -137,7 +137,7 @@ void visit_windows(KeyboardFixture& f, const std::function<void(QWidget&, const 
     SourceDialog source(f.session.configuration().source, f.prompts, {}, f.window.get());
     source.show();
     visit(source, "source");
-    PictureDialog picture(f.window->grid_view(), f.window.get());
+    ExportDialog picture(f.window->grid_view().exportable(), f.files.settings(), f.window.get());
     picture.show();
     visit(picture, "picture");
     RunUntilDialog until(f.session, f.files.settings(), f.window.get());

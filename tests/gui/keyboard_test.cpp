@@ -11,7 +11,7 @@
 #include <QToolTip>
 
 #include "dialogs/configuration_dialog.hpp"
-#include "dialogs/picture_dialog.hpp"
+#include "dialogs/export_dialog.hpp"
 #include "dialogs/run_until_dialog.hpp"
 #include "dialogs/source_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
@@ -269,7 +269,7 @@ void KeyboardTest::pictures_are_saved() {
     f.session.run_steps(30);
     QTRY_VERIFY(f.rests());
     const auto saved = [&f](const QString& name, const std::function<void()>& ask) {
-        in_dialog<PictureDialog>([&](PictureDialog& /*dialog*/) { press(Qt::Key_Return); });
+        in_dialog<ExportDialog>([&](ExportDialog& /*dialog*/) { press(Qt::Key_Return); });
         answer_file(f.path(name));
         ask();
         expect_no_awaited_dialog();
@@ -291,7 +291,6 @@ void KeyboardTest::pictures_are_saved() {
     saved("best.png", [] { press(Qt::Key_Space); });
     press(Qt::Key_Escape);
     QTRY_VERIFY(listener()->window() == f.window.get());
-    // Plots ask for no size.
     press(Qt::Key_G, kCtrl);
     tab_to("plots");
     const auto all = f.window->plots().times();
@@ -299,10 +298,8 @@ void KeyboardTest::pictures_are_saved() {
     QVERIFY(f.window->plots().times().second - f.window->plots().times().first < all.second);
     press(Qt::Key_F);
     QCOMPARE(f.window->plots().times(), all);
-    answer_file(f.path("plots.png"));
-    press(Qt::Key_P, kCtrl);
-    QVERIFY(!QImage(f.path("plots.png")).isNull());
-    answer_escape<PictureDialog>();
+    saved("plots.png", by_key);
+    answer_escape<ExportDialog>();
     tab_to("scan_view");
     press(Qt::Key_P, kCtrl);
 }
@@ -333,6 +330,7 @@ void KeyboardTest::a_study_is_done() {
     QVERIFY(QFile::exists(f.path("study/quality.csv")));
     QTRY_COMPARE(focused(), QString("start"));
     tab_to("save");
+    in_dialog<ExportDialog>([](ExportDialog& /*dialog*/) { press(Qt::Key_Return); });
     answer_file(f.path("study.png"));
     press(Qt::Key_Space);
     QVERIFY(!QImage(f.path("study.png")).isNull());

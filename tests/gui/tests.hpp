@@ -239,6 +239,9 @@ class ViewTest : public QObject {
     void a_picture_of_another_kind_is_refused();
     void the_right_button_offers_the_picture();
     void the_plots_are_saved();
+    void a_figure_has_what_is_wished();
+    void a_figure_in_pdf_has_its_letters();
+    void what_was_wished_is_wished_again();
     void a_picture_can_be_given_up();
     void the_scale_bar_covers_nothing_of_the_map();
     void a_window_of_its_own_is_saved_too();
@@ -255,6 +258,7 @@ class ViewTest : public QObject {
     void what_is_lost_is_not_replaced_by_return_alone();
     void the_grid_view_shows_the_grid_map();
     void a_run_is_saved_as_frames_and_a_film();
+    void a_film_shows_both_views_up_to_its_size();
     void an_animation_needs_no_film_maker();
     void a_cancelled_animation_leaves_nothing();
 };

@@ -1,21 +1,25 @@
 // Use case 8.2.2.10, and finding one's way in the views.
 
+#include <QCheckBox>
 #include <QClipboard>
+#include <QComboBox>
 #include <QContextMenuEvent>
+#include <QDoubleSpinBox>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMouseEvent>
 #include <QPointer>
 #include <QPushButton>
-#include <QRadioButton>
 #include <QToolButton>
 #include <QWheelEvent>
 #include <cmath>
 #include <map>
 
-#include "dialogs/picture_dialog.hpp"
+#include "dialogs/export_dialog.hpp"
 #include "gui_fixture.hpp"
 #include "hitos/services/drawing/picture_file.hpp"
 #include "look/theme.hpp"
@@ -27,8 +31,8 @@ namespace hitos::window {
 namespace {
 
 void accept_picture(bool whole) {
-    in_dialog<PictureDialog>([whole](PictureDialog& dialog) {
-        dialog.findChild<QRadioButton*>(whole ? "whole" : "seen")->setChecked(true);
+    in_dialog<ExportDialog>([whole](ExportDialog& dialog) {
+        dialog.findChild<QComboBox*>("export_part")->setCurrentIndex(whole ? 1 : 0);
         dialog.accept();
     });
 }
@@ -88,7 +92,8 @@ void ViewTest::a_view_is_saved_as_jpg_and_png() {
             emit f.window->scan_view().picture_wanted();
             const QImage image(f.path(name));
             QVERIFY2(!image.isNull(), name);
-            QCOMPARE(image.size(), f.window->scan_view().picture_size(whole, 2.0));
+            const FigureOffer offer = f.window->scan_view().figures()[whole ? 1 : 0];
+            QCOMPARE(image.width(), qRound(2.0 * offer.width));
         }
     }
 }
@@ -109,6 +114,7 @@ void ViewTest::pictures_are_written_as_shapes_too() {
     QVERIFY(Fixture::read(f.path("scan.pdf")).startsWith("%PDF"));
     f.trigger("action_plots_dock");
     f.prompts.saves = {f.path("plots.svg")};
+    accept_picture(false);
     emit f.window->plots().picture_wanted();
     // Letters are letters, and can be edited.
     QVERIFY(Fixture::read(f.path("plots.svg")).contains("Landmarks</text>"));
@@ -120,15 +126,15 @@ void ViewTest::a_picture_goes_to_the_clipboard() {
     QApplication::clipboard()->clear();
     f.window->scan_view().setFocus();
     f.trigger("action_copy_picture");
-    QCOMPARE(QApplication::clipboard()->image().size(),
-             f.window->scan_view().picture_size(false, 2.0));
+    QCOMPARE(QApplication::clipboard()->image().size(), f.window->scan_view().size() * 2);
     f.trigger("action_plots_dock");
     Plots& plots = f.window->plots();
     QTRY_VERIFY(plots.isVisible());
     plots.setFocus();
     QTRY_VERIFY(plots.hasFocus());
     f.trigger("action_copy_picture");
-    QCOMPARE(QApplication::clipboard()->image().size(), plots.picture(kCopyScale).pixels());
+    QCOMPARE(QApplication::clipboard()->image().size(),
+             plots.exportable().offers.front().as_seen(kCopyScale).pixels());
 }
 
 void ViewTest::pictures_ask_before_they_overwrite() {
@@ -201,15 +207,129 @@ void ViewTest::the_plots_are_saved() {
     f.trigger("action_plots_dock");
     f.run_steps(20);
     f.prompts.saves = {f.path("plots.bmp"), f.path("plots.png")};
+    accept_picture(false);
     emit f.window->plots().picture_wanted();
     QCOMPARE(f.prompts.warnings.size(), 1);
     QVERIFY(!QImage(f.path("plots.png")).isNull());
 }
 
+void ViewTest::a_figure_has_what_is_wished() {
+    Fixture f;
+    f.run_steps(60);
+    ExportDialog dialog(f.window->grid_view().exportable(), f.files.settings(), f.window.get());
+    dialog.show();
+    const auto choose = [&](const char* name, const QVariant& value) {
+        auto* box = dialog.findChild<QComboBox*>(name);
+        box->setCurrentIndex(value.typeId() == QMetaType::Int ? value.toInt()
+                                                              : box->findData(value));
+    };
+    const auto check = [&](const char* name, bool on) {
+        dialog.findChild<QCheckBox*>(name)->setChecked(on);
+    };
+    const auto set = [&](const char* name, double value) {
+        dialog.findChild<QDoubleSpinBox*>(name)->setValue(value);
+    };
+    // In millimetres letters have their size on paper, and pixels follow from the resolution.
+    choose("export_unit", 1);
+    set("export_mm", 127.0);
+    set("export_dots", 200.0);
+    QCOMPARE(dialog.picture().pixels().width(), 1000);
+    const QImage at_first = image_of(dialog.picture());
+    QCOMPARE(qRound(at_first.dotsPerMeterX() * 0.0254), 200);
+    // Axes and legend have room of their own round the picture, which gets smaller.
+    check("export_axes", false);
+    const QImage bare = image_of(dialog.picture());
+    check("export_legend", false);
+    const QImage alone = image_of(dialog.picture());
+    QVERIFY(alone.height() < bare.height());
+    QVERIFY(bare != at_first.scaled(bare.size()));
+    // A title has its line.
+    dialog.findChild<QLineEdit*>("export_title")->setText("Recinto");
+    const QImage titled = image_of(dialog.picture());
+    QVERIFY(titled.height() > alone.height());
+    dialog.findChild<QLineEdit*>("export_title")->clear();
+    // A layer that is left out is not drawn, and the view on the screen keeps it.
+    auto* layers = dialog.findChild<QListWidget*>("export_layers");
+    QVERIFY(layers->count() > 3);
+    for (int i = 0; i < layers->count(); ++i) layers->item(i)->setCheckState(Qt::Unchecked);
+    QVERIFY(image_of(dialog.picture()) != alone);
+    QVERIFY(f.window->grid_view().layers() == default_layers());
+    // In the dark the ground is light unless the screen's is wished.
+    apply_theme(*qApp, Theme::dark);
+    const QImage light = image_of(dialog.picture());
+    check("export_light", false);
+    const QImage dark = image_of(dialog.picture());
+    apply_theme(*qApp, Theme::light);
+    QVERIFY(dark.pixelColor(5, 5).lightness() < light.pixelColor(5, 5).lightness());
+    check("export_light", true);
+    // Shapes have a size on paper and no pixels.
+    choose("export_format", "pdf");
+    QVERIFY(!dialog.findChild<QWidget*>("export_dots")->isEnabled());
+    const auto* sum = dialog.findChild<QLabel*>("export_sum");
+    QTRY_VERIFY(sum->text().startsWith("127 ") && !sum->text().contains("pixels"));
+}
+
+void ViewTest::a_figure_in_pdf_has_its_letters() {
+    Fixture f;
+    f.run_steps(60);
+    f.trigger("action_plots_dock");
+    const std::vector<Exportable> all{f.window->grid_view().exportable(),
+                                      f.window->scan_view().exportable(),
+                                      f.window->plots().exportable()};
+    for (const Exportable& each : all) {
+        for (std::size_t i = 0; i < each.offers.size(); ++i) {
+            const FigureOffer& offer = each.offers[i];
+            FigureWish wish;
+            wish.width_mm = 85.0;
+            wish.mm_per_point = 0.2;
+            wish.legend = wish.axes = true;
+            wish.layers = offer.layers;
+            const QString path = f.path(each.name + QString::number(i) + ".pdf");
+            write_picture(offer.picture(wish), path);
+            const QByteArray pdf = Fixture::read(path);
+            // Each font is described, and brings its shapes with it.
+            const auto fonts = pdf.count("/FontDescriptor\n");
+            const auto files = pdf.count("/FontFile");
+            QVERIFY2(files > 0 && files >= fonts, qPrintable(path));
+            const auto box = pdf.indexOf("/MediaBox [");
+            QVERIFY2(box > 0, qPrintable(path));
+            const auto numbers = pdf.mid(box + 11, 60).simplified().split(' ');
+            const double width = (numbers[2].toDouble() - numbers[0].toDouble()) / 72.0 * 25.4;
+            QVERIFY2(std::abs(width - 85.0) < 0.5, qPrintable(QString::number(width)));
+        }
+    }
+    // What is for papers is what a run's results have.
+    FigureWish wish;
+    wish.legend = wish.axes = true;
+    const FigureOffer& paper = all.front().offers.back();
+    wish.layers = paper.shown;
+    QVERIFY(paper.for_print);
+    QVERIFY(paper.picture(wish).shapes("svg").contains("odometry"));
+    wish.layers.set(Layer::odometry, false);
+    QVERIFY(!paper.picture(wish).shapes("svg").contains("odometry"));
+}
+
+void ViewTest::what_was_wished_is_wished_again() {
+    Fixture f;
+    f.run_steps(5);
+    in_dialog<ExportDialog>([](ExportDialog& dialog) {
+        auto* format = dialog.findChild<QComboBox*>("export_format");
+        format->setCurrentIndex(format->findData("svg"));
+        dialog.findChild<QCheckBox*>("export_legend")->setChecked(false);
+        dialog.accept();
+    });
+    f.prompts.saves = {f.path("a.svg")};
+    emit f.window->scan_view().picture_wanted();
+    const ExportDialog next(f.window->plots().exportable(), f.files.settings(), f.window.get());
+    QCOMPARE(next.format(), QString("svg"));
+    QVERIFY(!next.findChild<QCheckBox*>("export_legend")->isChecked());
+    QVERIFY(next.windowTitle().contains("Plots"));
+}
+
 void ViewTest::a_picture_can_be_given_up() {
     Fixture f;
     f.run_steps(5);
-    in_dialog<PictureDialog>([](PictureDialog& dialog) { dialog.reject(); });
+    in_dialog<ExportDialog>([](ExportDialog& dialog) { dialog.reject(); });
     emit f.window->scan_view().picture_wanted();
     QCOMPARE(f.prompts.saves_asked, 0);
     accept_picture(false);
@@ -222,11 +342,11 @@ void ViewTest::the_scale_bar_covers_nothing_of_the_map() {
     constexpr int kBar = 40;  // pixels
     Fixture f;
     f.run_steps(200);
-    const GridView& view = f.window->grid_view();
+    GridView& view = f.window->grid_view();
     const GridTiles& tiles = view.tiles();
     const auto rows = static_cast<int>(tiles.area.end_row - tiles.area.first_row);
     // One pixel for each cell: what is higher than the map lies above and below it.
-    const int free = view.picture_size(true, 1.0).height() - rows;
+    const int free = view.figures()[1].as_seen(1.0).pixels().height() - rows;
     QVERIFY2(free >= kBar, qPrintable(QString::number(free)));
     const QTransform to_screen = view.camera().to_screen(view.size());
     const double lowest =

@@ -268,7 +268,7 @@ std::string pdf_text(const VectorDrawing& drawing) {
 
 namespace drawing {
 
-void paint(cv::Mat& image, const VectorDrawing& drawing) {
+void paint(cv::Mat& image, const VectorDrawing& drawing, double scale) {
     // cairo's coordinates end at 2^15, and its pixels take four bytes: a piece after the other.
     constexpr int kSide = 2048;
     const bool grey = image.channels() == 1;
@@ -283,6 +283,7 @@ void paint(cv::Mat& image, const VectorDrawing& drawing) {
                                                     pixels.rows, static_cast<int>(pixels.step)));
             const CairoContext context(cairo_create(surface.get()));
             cairo_translate(context.get(), -x, -y);
+            cairo_scale(context.get(), scale, scale);
             sharpen_letters(context.get());
             paint_layers(context.get(), drawing);
             cairo_surface_flush(surface.get());

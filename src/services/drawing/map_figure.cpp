@@ -1,4 +1,4 @@
-#include "map_figure.hpp"
+#include "hitos/services/drawing/map_figure.hpp"
 
 #include <fmt/format.h>
 
@@ -16,10 +16,9 @@ namespace {
 constexpr double kLeft = 12.0;
 constexpr double kRight = 2.5;
 constexpr double kTop = 2.5;
-constexpr double kAxis = 8.5;  // below the frame: numbers and what they are
-constexpr double kWidest = 85.0 - kLeft - kRight;
+constexpr double kAxis = 8.5;        // below the frame: numbers and what they are
 constexpr double kNarrowest = 58.0;  // so that the legend has room
-constexpr double kHighest = 110.0;
+constexpr double kSlenderest = 110.0 / 85.0;
 constexpr double kLowest = 15.0;
 constexpr double kText = 7.0 * 25.4 / 72.0;
 constexpr double kTick = 1.0;
@@ -102,19 +101,23 @@ Bounds shown_of(const MapShapes& shapes) {
     return box;
 }
 
-View view_of(const MapShapes& shapes) {
+View view_of(const MapShapes& shapes, const MapFigureStyle& style) {
+    const double left = style.axes ? kLeft : kRight;
+    const double top = kTop + (style.heading.empty() ? 0.0 : kRow);
+    const double widest = std::max(style.width_mm - left - kRight, kLowest);
+    const double highest = style.width_mm * kSlenderest;
     View view;
     view.world = shown_of(shapes);
     Bounds& world = view.world;
     constexpr double kLeast = 1.0;  // m
     const double wide = std::max((world.high.x - world.low.x) * (1.0 + 2.0 * kFrameMargin), kLeast);
     const double high = std::max((world.high.y - world.low.y) * (1.0 + 2.0 * kFrameMargin), kLeast);
-    view.mm_per_m = std::min(kWidest / wide, kHighest / high);
-    const Point2 size{std::max(wide * view.mm_per_m, kNarrowest),
+    view.mm_per_m = std::min(widest / wide, highest / high);
+    const Point2 size{std::max(wide * view.mm_per_m, std::min(kNarrowest, widest)),
                       std::max(high * view.mm_per_m, kLowest)};
     widen(world.low.x, world.high.x, size.x / view.mm_per_m);
     widen(world.low.y, world.high.y, size.y / view.mm_per_m);
-    view.paper = {{kLeft, kTop}, {kLeft + size.x, kTop + size.y}, false};
+    view.paper = {{left, top}, {left + size.x, top + size.y}, false};
     return view;
 }
 
@@ -133,7 +136,14 @@ DrawnLine thinned(const Trajectory& path, const View& view) {
 }
 
 std::string axis_number(double value) {
-    return fmt::format("{:g}", std::abs(value) < 1e-9 ? 0.0 : value);
+    const std::string words = fmt::format("{:g}", std::abs(value) < 1e-9 ? 0.0 : std::abs(value));
+    return value < -1e-9 ? "\xe2\x88\x92" + words : words;  // a minus sign
+}
+
+/// Of a number in UTF-8.
+std::size_t letters_of(const std::string& number) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(number, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 /// From one number of an axis to the next [m]: some six on the way, where they have room.
@@ -166,7 +176,7 @@ void add_axes(const View& view, VectorDrawing& drawing) {
         const std::string text = axis_number(k * step);
         ticks.lines.push_back({{paper.low.x - kTick, y}, {paper.low.x, y}});
         words.texts.push_back({{paper.low.x - kTick - 0.6, y + half}, text, Anchor::end});
-        longest = std::max(longest, text.size());
+        longest = std::max(longest, letters_of(text));
     }
     words.texts.push_back({{(paper.low.x + paper.high.x) / 2.0, paper.high.y + kAxis - 1.4},
                            "x [m]",
@@ -231,8 +241,9 @@ void add_map(const MapFigureContent& content, const MapShapes& shapes, const Vie
             {view.at(ellipse.centre), view.turned(ellipse.major), view.turned(minor)});
     }
     const std::vector<DrawnLine> stroke{{{-kSample / 2.0, 0.0}, {kSample / 2.0, 0.0}}};
-    layers.add(std::move(regions), fmt::format("uncertainty, {:g} sigma", kFigureSigmas),
-               {rectangle({-kSample / 2.0, -0.7}, {kSample / 2.0, 0.7})});
+    if (content.style.uncertainty)
+        layers.add(std::move(regions), fmt::format("uncertainty, {:g} \xcf\x83", kFigureSigmas),
+                   {rectangle({-kSample / 2.0, -0.7}, {kSample / 2.0, 0.7})});
 
     DrawnLayer odometry{"odometry", kOdometryStyle};
     if (auto line = thinned(content.odometry, view); line.size() > 1) {
@@ -269,7 +280,7 @@ void add_map(const MapFigureContent& content, const MapShapes& shapes, const Vie
 
 /// Two columns below the axes, the scale bar in the last place.
 void add_legend(const View& view, std::vector<Legend>& entries, VectorDrawing& drawing) {
-    const double top = view.paper.high.y + kAxis;
+    const double top = drawing.height;
     const double column = (view.paper.high.x - 1.0) / 2.0;
     const std::size_t places = entries.size() + 1;
     const std::size_t rows = (places + 1) / 2;
@@ -305,8 +316,9 @@ void add_legend(const View& view, std::vector<Legend>& entries, VectorDrawing& d
 }  // namespace
 
 VectorDrawing map_figure(const MapFigureContent& content) {
+    const MapFigureStyle& style = content.style;
     const MapShapes shapes = map_shapes(content.map, content.segments, content.path, kFigureSigmas);
-    const View view = view_of(shapes);
+    const View view = view_of(shapes, style);
     VectorDrawing drawing;
     drawing.title = content.title;
     drawing.width = view.paper.high.x + kRight;
@@ -314,8 +326,15 @@ VectorDrawing map_figure(const MapFigureContent& content) {
     std::vector<Legend> legend;
     Layers layers(drawing, legend, weight_in(view));
     add_map(content, shapes, view, layers);
-    add_axes(view, drawing);
-    add_legend(view, legend, drawing);
+    drawing.height = view.paper.high.y + (style.axes ? kAxis : kRight);
+    if (style.axes) add_axes(view, drawing);
+    if (style.legend) add_legend(view, legend, drawing);
+    if (!style.heading.empty()) {
+        DrawnLayer heading{"heading", kWordStyle};
+        heading.texts.push_back(
+            {{drawing.width / 2.0, kTop + kLetterHeight * kText}, style.heading, Anchor::middle});
+        drawing.layers.push_back(std::move(heading));
+    }
     return drawing;
 }
 

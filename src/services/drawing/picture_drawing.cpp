@@ -142,13 +142,27 @@ void write_encoded(const std::filesystem::path& path,
 
 }  // namespace drawing
 
+namespace {
+
+std::string pixels_of(const VectorDrawing& drawing, double scale, std::string_view kind) {
+    const auto pixels = [&](double units) {
+        return static_cast<int>(std::clamp(std::round(units * scale), 1.0,
+                                           static_cast<double>(drawing::longest_side(kind))));
+    };
+    cv::Mat image(pixels(drawing.height), pixels(drawing.width), CV_8UC3, cv::Scalar::all(255));
+    drawing::paint(image, drawing, scale);
+    return drawing::encoded(image, kind);
+}
+
+}  // namespace
+
+std::string png_text(const VectorDrawing& drawing, double scale) {
+    return pixels_of(drawing, scale, "png");
+}
+
 void write_picture(const VectorDrawing& drawing, const std::filesystem::path& path) {
-    drawing::write_encoded(path, [&](const std::string& kind) {
-        cv::Mat image(static_cast<int>(drawing.height), static_cast<int>(drawing.width), CV_8UC3,
-                      cv::Scalar::all(255));
-        drawing::paint(image, drawing);
-        return drawing::encoded(image, kind);
-    });
+    drawing::write_encoded(path,
+                           [&](const std::string& kind) { return pixels_of(drawing, 1.0, kind); });
 }
 
 }  // namespace hitos

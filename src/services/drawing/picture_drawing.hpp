@@ -55,8 +55,8 @@ void draw_path(cv::Mat& image, const Placement& placement, const std::vector<Poi
 void draw_scale_bar(cv::Mat& image, double pixels_per_m);
 
 /// Lays a drawing in pixels over the picture, of one channel (grey) or three (blue, green, red).
-/// Throws Error where there is no memory for it.
-void paint(cv::Mat& image, const VectorDrawing& drawing);
+/// Throws Error where there is no memory for it. `scale`: pixels for each of its units.
+void paint(cv::Mat& image, const VectorDrawing& drawing, double scale = 1.0);
 /// How wide the widest of the texts is [pixels].
 double widest(std::span<const std::string> texts, double letters);
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "corrected_tour.hpp"
-#include "drawing/map_figure.hpp"
 #include "drawing/odometry_scans_picture.hpp"
 #include "files/ieee_map_file.hpp"
 #include "files/landmark_table.hpp"
@@ -15,6 +14,7 @@
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/drawing/map_figure.hpp"
 #include "hitos/services/drawing/picture_file.hpp"
 #include "hitos/services/files/dxf_file.hpp"
 #include "hitos/services/files/segment_file.hpp"

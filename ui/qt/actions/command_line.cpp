@@ -105,11 +105,12 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
             "--show", out.show,
             "What the picture shows: main, world, plots, landmarks, particles, associations, "
             "joint, measurements, runs, compare, draw, drive, source, configuration, run-until, "
+            "export, "
             "best-map, odometry, study")
-        ->check(
-            CLI::IsMember({"main", "world", "plots", "landmarks", "particles", "associations",
-                           "joint", "measurements", "runs", "compare", "source", "configuration",
-                           "draw", "drive", "run-until", "best-map", "odometry", "study"}));
+        ->check(CLI::IsMember({"main", "world", "plots", "landmarks", "particles", "associations",
+                               "joint", "measurements", "runs", "compare", "source",
+                               "configuration", "draw", "drive", "run-until", "export", "best-map",
+                               "odometry", "study"}));
     program.add_flag("--benchmark", out.benchmark,
                      "Run the log with and without the window; print speeds and response times");
     program

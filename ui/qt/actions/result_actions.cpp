@@ -8,7 +8,7 @@
 #include <chrono>
 #include <optional>
 
-#include "dialogs/picture_dialog.hpp"
+#include "dialogs/export_dialog.hpp"
 #include "dialogs/skipped_lines.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/services/files/dxf_file.hpp"
@@ -63,7 +63,7 @@ MapWindow* ResultActions::open_window(QPointer<MapWindow>& place, const QString&
         place_beside_parent(*place, QPoint(kStep, kStep) * others);
     }
     connect(place, &MapWindow::picture_wanted, this,
-            [this](const GridView* view) { save_picture(*view); });
+            [this](GridView* view) { save_figure(view->exportable()); });
     emit opened(place);
     place->show();
     return place;
@@ -289,27 +289,9 @@ QWidget* ResultActions::window_in_use() const {
     return active == nullptr ? window_ : active;
 }
 
-void ResultActions::save_picture(const Picture& picture, const QString& name) {
-    save_picture_as(name, [&](const QString& target) { write_picture(picture, target); });
-}
-
-void ResultActions::save_picture(const CanvasView& view) {
-    PictureDialog dialog(view, window_in_use());
-    if (dialog.exec() != QDialog::Accepted) return;
-    save_picture_as("hitos.jpg", [&](const QString& target) {
-        write_picture(view.picture(dialog.whole(), dialog.scale()), target);
-    });
-}
-
-void ResultActions::save_picture_as(const QString& name,
-                                    const std::function<void(const QString&)>& write) {
-    const QString path = save_until_done(prompts_, window_in_use(),
-                                         {tr("Save as image"), files_.place_to_save(name),
-                                          picture_filter(), QFileInfo(name).suffix()},
-                                         write);
-    if (path.isEmpty()) return;
-    files_.note_saved("picture", path);
-    emit notice(tr("Image saved: %1").arg(QDir::toNativeSeparators(path)));
+void ResultActions::save_figure(const Exportable& figure) {
+    const QString path = export_figure(files_, prompts_, window_in_use(), figure);
+    if (!path.isEmpty()) emit notice(tr("Image saved: %1").arg(QDir::toNativeSeparators(path)));
 }
 
 }  // namespace hitos::window

@@ -9,12 +9,11 @@
 #include "look/prompts.hpp"
 #include "look/user_files.hpp"
 #include "session/session.hpp"
+#include "views/figure.hpp"
 #include "views/map_window.hpp"
-#include "views/picture.hpp"
 
 namespace hitos::window {
 
-class CanvasView;
 class ViewSettings;
 
 class ResultActions final : public QObject {
@@ -46,9 +45,7 @@ class ResultActions final : public QObject {
     void save_figures();
     /// All results are being written; until the end no others can be.
     bool writing() const;
-    void save_picture(const hitos::window::CanvasView& view);
-    /// Of something else, under this name unless the user gives another.
-    void save_picture(const Picture& picture, const QString& name);
+    void save_figure(const hitos::window::Exportable& figure);
 
   signals:
     void notice(QString text);
@@ -67,7 +64,6 @@ class ResultActions final : public QObject {
     std::shared_future<ParticleDetails> moment_of(std::optional<std::size_t> particle) const;
     void save_moment(const std::shared_future<ParticleDetails>& moment, const QString& title);
     QWidget* window_in_use() const;
-    void save_picture_as(const QString& name, const std::function<void(const QString&)>& write);
     void write_results_to(const QString& folder);
     void end_writing(int number, const QString& folder, const QString& problem,
                      const QStringList& missing);

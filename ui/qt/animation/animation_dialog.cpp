@@ -1,11 +1,13 @@
 #include "animation_dialog.hpp"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QProgressBar>
 #include <QProgressDialog>
 #include <QPushButton>
@@ -46,6 +48,36 @@ QString result_words(const Animation& animation, const QString& folder) {
                : AnimationDialog::tr("%1, with %2").arg(frames, animation.film());
 }
 
+/// Beside each other with one height, as large as `most` lets them be.
+Picture film_frame(const std::vector<FigureOffer>& shown, const QSize& most) {
+    std::vector<Picture> parts;
+    QSizeF sum(0.0, 0.0);
+    for (const FigureOffer& offer : shown) {
+        Picture& part = parts.emplace_back(offer.as_seen(1.0));
+        if (parts.size() == 1) sum.setHeight(part.size.height());
+        part.scale = sum.height() / part.size.height();
+        sum.rwidth() += part.size.width() * part.scale;
+    }
+    const double by =
+        most.isEmpty() ? 1.0 : std::min(most.width() / sum.width(), most.height() / sum.height());
+    for (Picture& part : parts) part.scale *= by;
+    if (parts.size() == 1) return parts.front();
+    Picture frame;
+    frame.size = sum;
+    frame.scale = by;
+    frame.ground = light_colours().canvas;
+    frame.paint = [parts = std::move(parts)](QPaintDevice& device, double /*by*/) {
+        QPainter painter(&device);
+        int left = 0;
+        for (const Picture& part : parts) {
+            const QImage image = image_of(part);
+            painter.drawImage(left, 0, image);
+            left += image.width();
+        }
+    };
+    return frame;
+}
+
 }  // namespace
 
 AnimationDialog::AnimationDialog(quint64 scans, QWidget* parent) : QDialog(parent) {
@@ -55,7 +87,7 @@ AnimationDialog::AnimationDialog(quint64 scans, QWidget* parent) : QDialog(paren
     column->addLayout(form);
     view_ = new QComboBox(this);
     view_->setObjectName("animation_view");
-    view_->addItems({tr("Grid map"), tr("Last scan")});
+    view_->addItems({tr("Grid map"), tr("Last scan"), tr("Both, side by side")});
     form->addRow(tr("View"), view_);
     const int last = static_cast<int>(std::clamp<quint64>(scans, 1, kMostScansShown));
     const auto add = [this](const QString& label, const char* name, int most, int value) {
@@ -71,7 +103,14 @@ AnimationDialog::AnimationDialog(quint64 scans, QWidget* parent) : QDialog(paren
     every_ = add(tr("A frame every so many scans"), "animation_every", kMostScansShown,
                  1 + (last - 1) / kFramesAtFirst);
     rate_ = add(tr("Frames a second"), "animation_rate", 60, 25);
-    scale_ = add(tr("Pixels for each of the screen"), "animation_scale", 4, 1);
+    size_ = new QComboBox(this);
+    size_->setObjectName("animation_size");
+    size_->addItem(tr("As on the screen"), QSize());
+    for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
+        size_->addItem(tr("At most %1 × %2 pixels").arg(size.width()).arg(size.height()), size);
+    }
+    still_ = new QCheckBox(tr("Camera stands still, as it is now"), this);
+    still_->setObjectName("animation_still");
     sum_ = new QLabel(this);
     sum_->setObjectName("animation_sum");
     column->addWidget(sum_);
@@ -79,10 +118,12 @@ AnimationDialog::AnimationDialog(quint64 scans, QWidget* parent) : QDialog(paren
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    for (QSpinBox* box : {from_, to_, every_, rate_, scale_}) {
+    for (QSpinBox* box : {from_, to_, every_, rate_}) {
         form->addRow(box->accessibleName(), box);
         connect(box, &QSpinBox::valueChanged, this, &AnimationDialog::refresh);
     }
+    form->addRow(tr("Size"), size_);
+    form->addRow(QString(), still_);
     refresh();
 }
 
@@ -102,12 +143,9 @@ AnimationPlan AnimationDialog::plan() const {
     return plan;
 }
 
-bool AnimationDialog::of_scan_view() const {
-    return view_->currentIndex() == 1;
-}
-
-double AnimationDialog::scale() const {
-    return scale_->value();
+FilmStyle AnimationDialog::style() const {
+    const int view = view_->currentIndex();
+    return {view != 0, view != 1, size_->currentData().toSize(), still_->isChecked()};
 }
 
 void save_animation(Session& session, UserFiles& files, Prompts& prompts, ScanView& scan,
@@ -125,16 +163,23 @@ void save_animation(Session& session, UserFiles& files, Prompts& prompts, ScanVi
     auto* bar = new QProgressBar(&progress);
     bar->setRange(0, static_cast<int>(plan.frames()) + 1);  // the film is one more
     progress.setBar(bar);
+    const FilmStyle style = dialog.style();
+    scan.hold_camera(style.still);
+    grid.hold_camera(style.still);
     Animation animation(
         session, plan,
-        [&, of_scan = dialog.of_scan_view(), scale = dialog.scale()] {
+        [&] {
             // What the views show may be a moment behind.
-            if (of_scan) {
+            std::vector<FigureOffer> shown;
+            if (style.scan) {
                 scan.set_snapshot(session.snapshot());
-                return scan.picture(false, scale);
+                shown.push_back(scan.figures().front());
             }
-            grid.set_snapshot(session.snapshot());
-            return grid.picture(false, scale);
+            if (style.grid) {
+                grid.set_snapshot(session.snapshot());
+                shown.push_back(grid.figures().front());
+            }
+            return film_frame(shown, style.most);
         },
         nullptr);
     QString trouble;
@@ -151,6 +196,8 @@ void save_animation(Session& session, UserFiles& files, Prompts& prompts, ScanVi
     });
     QTimer::singleShot(0, &animation, &Animation::start);
     progress.exec();
+    scan.hold_camera(false);
+    grid.hold_camera(false);
     if (progress.wasCanceled()) {
         notice(AnimationDialog::tr("No animation was written."));
     } else if (!trouble.isEmpty()) {

@@ -8,6 +8,7 @@
 #include "look/prompts.hpp"
 #include "look/user_files.hpp"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QSpinBox;
@@ -17,6 +18,14 @@ namespace hitos::window {
 class GridView;
 class ScanView;
 
+/// How every frame shows the run.
+struct FilmStyle {
+    bool scan = false;   ///< the last scan,
+    bool grid = true;    ///< the map; both: beside each other
+    QSize most;          ///< pixels that it may have; empty: those of the screen
+    bool still = false;  ///< looks where the views look at the beginning
+};
+
 class AnimationDialog final : public QDialog {
     Q_OBJECT
 
@@ -25,9 +34,7 @@ class AnimationDialog final : public QDialog {
     AnimationDialog(quint64 scans, QWidget* parent);
 
     AnimationPlan plan() const;
-    bool of_scan_view() const;
-    /// Pixels for each point of the screen.
-    double scale() const;
+    FilmStyle style() const;
 
   private:
     void refresh();
@@ -37,7 +44,8 @@ class AnimationDialog final : public QDialog {
     QSpinBox* to_;
     QSpinBox* every_;
     QSpinBox* rate_;
-    QSpinBox* scale_;
+    QComboBox* size_;
+    QCheckBox* still_;
     QLabel* sum_;
 };
 

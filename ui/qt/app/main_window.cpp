@@ -220,7 +220,7 @@ void MainWindow::connect_run() {
         if (plots_->hasFocus()) {
             emit plots_->picture_wanted();
         } else {
-            results_->save_picture(view_in_use());
+            emit view_in_use().picture_wanted();
         }
     });
     connect(ui_->action_copy_picture, &QAction::triggered, this, [this] {
@@ -296,15 +296,14 @@ void MainWindow::connect_views() {
         connect(view, &CanvasView::hovered_at, status_, &StatusLine::show_place);
         connect(view, &CanvasView::left, status_, &StatusLine::clear_place);
         connect(view, &CanvasView::picture_wanted, results_,
-                [this, view] { results_->save_picture(*view); });
+                [this, view] { results_->save_figure(view->exportable()); });
     }
     connect(inspection_, &Inspection::landmark_chosen, this, &MainWindow::set_highlight);
     inspection_->connect_views(*ui_->scan_view, *ui_->grid_view);
     connect(inspection_, &Inspection::grid_wanted, results_, &ResultActions::view_grid_of);
     connect(inspection_, &Inspection::map_wanted, results_, &ResultActions::save_map_of);
     connect(inspection_, &Inspection::path_wanted, results_, &ResultActions::save_path_of);
-    connect(inspection_, &Inspection::picture_wanted, results_,
-            qOverload<const Picture&, const QString&>(&ResultActions::save_picture));
+    connect(inspection_, &Inspection::picture_wanted, results_, &ResultActions::save_figure);
     connect(view_settings_, &ViewSettings::layers_changed, inspection_, &Inspection::set_layers);
     inspection_->set_layers(view_settings_->layers());
     connect(&session_, &Session::restarted, this, [this] { set_highlight({}); });
@@ -325,7 +324,7 @@ void MainWindow::connect_views() {
     connect(ui_->action_follow, &QAction::toggled, ui_->grid_view, &CanvasView::set_follow);
     connect(ui_->grid_view, &CanvasView::follow_changed, ui_->action_follow, &QAction::setChecked);
     connect(plots_, &Plots::picture_wanted, results_,
-            [this] { results_->save_picture(plots_->picture(2.0), "plots.png"); });
+            [this] { results_->save_figure(plots_->exportable()); });
     connect(&session_, &Session::references_changed, ui_->grid_view, [this] {
         ui_->grid_view->set_reference_map(session_.references().map);
         ui_->grid_view->set_reference_path({});
@@ -345,7 +344,7 @@ void MainWindow::set_highlight(const PickedLandmark& picked) {
     inspection_->set_highlight(picked);
 }
 
-const CanvasView& MainWindow::view_in_use() const {
+CanvasView& MainWindow::view_in_use() const {
     if (ui_->scan_view->hasFocus()) return *ui_->scan_view;
     return *ui_->grid_view;
 }

@@ -90,7 +90,7 @@ class MainWindow final : public QMainWindow {
     void name_what_runs();
     void set_highlight(const PickedLandmark& picked);
     /// The one with the keyboard, else the grid map.
-    const CanvasView& view_in_use() const;
+    CanvasView& view_in_use() const;
     bool may_close_now();
     void restyle();
     void save_state();

@@ -76,7 +76,7 @@ void MainWindow::connect_runs() {
     connect(ui_->action_compare, &QAction::triggered, runs_,
             [this] { runs_->compare(runs_->panel().chosen()); });
     connect(runs_, &Runs::picture_wanted, results_,
-            [this](const GridView* view) { results_->save_picture(*view); });
+            [this](GridView* view) { results_->save_figure(view->exportable()); });
     connect(runs_, &Runs::opened, this,
             [this](QWidget* window) { window->addActions(ui_->menu_run->actions()); });
 }

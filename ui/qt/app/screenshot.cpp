@@ -12,9 +12,11 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <functional>
+#include <memory>
 
 #include "actions/result_actions.hpp"
 #include "dialogs/configuration_dialog.hpp"
+#include "dialogs/export_dialog.hpp"
 #include "dialogs/run_until_dialog.hpp"
 #include "dialogs/source_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
@@ -161,10 +163,17 @@ void take_screenshot(MainWindow& window, Session& session, const CommandLine& li
         dialog.show();
         settle(100);
         write_picture_of(dialog, line);
-    } else if (line.show == "run-until") {
+    } else if (line.show == "run-until" || line.show == "export") {
         const QTemporaryDir scratch;
         QSettings untouched(scratch.filePath("settings.ini"), QSettings::IniFormat);
-        RunUntilDialog dialog(session, untouched, &window);
+        std::unique_ptr<QDialog> shown;
+        if (line.show == "export") {
+            shown =
+                std::make_unique<ExportDialog>(window.grid_view().exportable(), untouched, &window);
+        } else {
+            shown = std::make_unique<RunUntilDialog>(session, untouched, &window);
+        }
+        QDialog& dialog = *shown;
         dialog.show();
         settle(100);
         write_picture_of(dialog, line);

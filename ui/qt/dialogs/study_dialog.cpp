@@ -7,6 +7,7 @@
 #include <QUrl>
 #include <cmath>
 
+#include "export_dialog.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "look/screen_fit.hpp"
@@ -235,12 +236,8 @@ void StudyDialog::open_run() {
 }
 
 void StudyDialog::save_plot() {
-    const QString path = save_until_done(
-        prompts_, this,
-        {tr("Save plot"), files_.place_to_save("study.png"), picture_filter(), "png"},
-        [this](const QString& target) { write_picture(ui_->plots->picture(2.0), target); });
+    const QString path = export_figure(files_, prompts_, this, ui_->plots->exportable());
     if (path.isEmpty()) return;
-    files_.note_saved("picture", path);
     show_verdict(tr("Plot saved: %1").arg(QDir::toNativeSeparators(path)), "muted");
 }
 

@@ -28,7 +28,7 @@ Inspection::Inspection(Session& session, const DockPlace& place)
     connect(particles_, &ParticleTable::map_wanted, this, &Inspection::map_wanted);
     connect(particles_, &ParticleTable::path_wanted, this, &Inspection::path_wanted);
     connect(joint_, &JointCovariance::picture_wanted, this,
-            [this] { emit picture_wanted(joint_->picture(2.0), "joint-covariance.png"); });
+            [this] { emit picture_wanted(joint_->exportable()); });
 }
 
 void Inspection::connect_views(ScanView& scan, GridView& grid) {

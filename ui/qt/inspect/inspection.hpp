@@ -4,9 +4,9 @@
 #include <QObject>
 
 #include "look/docks.hpp"
+#include "views/figure.hpp"
 #include "views/landmark_painter.hpp"
 #include "views/layers.hpp"
-#include "views/picture.hpp"
 
 namespace hitos::window {
 
@@ -34,7 +34,7 @@ class Inspection final : public QObject {
     void grid_wanted(int particle);
     void map_wanted(int particle);
     void path_wanted(int particle);
-    void picture_wanted(const hitos::window::Picture& picture, const QString& name);
+    void picture_wanted(const hitos::window::Exportable& figure);
 
   private:
     Session& session_;

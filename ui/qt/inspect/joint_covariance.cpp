@@ -223,18 +223,26 @@ void CorrelationView::paint_legend(QPainter& painter, const QRectF& box,
     say("−1", bar.bottom() - height);
 }
 
-Picture CorrelationView::picture(double scale) const {
+Picture CorrelationView::picture(const FigureWish& wish) const {
     Picture picture;
     picture.size = size();
-    picture.scale = scale;
-    picture.paint = [this](QPaintDevice& device, double by) {
+    picture.mm_per_point = wish.width_mm / width();
+    picture.ground = wish.ground();
+    picture.paint = [this, colours = wish.colours](QPaintDevice& device, double by) {
         QPainter painter(&device);
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setFont(font());
         painter.scale(by, by);
-        paint(painter, size(), light_colours());
+        paint(painter, size(), *colours);
     };
     return picture;
+}
+
+FigureOffer CorrelationView::figure() const {
+    FigureOffer offer;
+    offer.width = width();
+    offer.picture = [this](const FigureWish& wish) { return picture(wish); };
+    return offer;
 }
 
 void CorrelationView::paintEvent(QPaintEvent* /*event*/) {
@@ -289,7 +297,7 @@ JointCovariance::JointCovariance(Session& session, QWidget* parent)
     buttons->addStretch(1);
     column->addLayout(buttons);
     connect(save_, &QPushButton::clicked, this, &JointCovariance::picture_wanted);
-    connect(copy_, &QPushButton::clicked, this, [this] { copy(picture(kCopyScale)); });
+    connect(copy_, &QPushButton::clicked, this, [this] { copy(view_->figure()); });
     connect(view_, &CorrelationView::painted, &session, &Session::note_cost);
     connect(view_, &CorrelationView::pointed_at, words_, [this](const QString& words) {
         words_->setText(words.isEmpty() ? tr("Point at an entry to read it.") : words);
@@ -297,6 +305,10 @@ JointCovariance::JointCovariance(Session& session, QWidget* parent)
     connect(&session, &Session::snapshot_changed, this, &JointCovariance::refresh);
     // A snapshot holds what its run went back to: no view keeps that of a run which is gone.
     connect(&session, &Session::restarted, this, [this] { view_->set_snapshot(nullptr); });
+}
+
+Exportable JointCovariance::exportable() const {
+    return {view_->accessibleName(), "joint-covariance", view_->font(), {view_->figure()}};
 }
 
 /// A square needs more height than a table.

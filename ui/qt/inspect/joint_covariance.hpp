@@ -7,7 +7,7 @@
 
 #include "look/theme.hpp"
 #include "session/session.hpp"
-#include "views/picture.hpp"
+#include "views/figure.hpp"
 
 class QLabel;
 class QPushButton;
@@ -24,7 +24,7 @@ class CorrelationView final : public QWidget {
 
     /// One with a joint covariance, or null.
     void set_snapshot(const std::shared_ptr<const Snapshot>& snapshot);
-    Picture picture(double scale) const;
+    FigureOffer figure() const;
 
     struct Entry {
         Eigen::Index row = 0;
@@ -47,6 +47,7 @@ class CorrelationView final : public QWidget {
     void leaveEvent(QEvent* event) override;
 
   private:
+    Picture picture(const FigureWish& wish) const;
     /// Where the square is drawn.
     QRectF square(const QSizeF& size) const;
     double left_margin() const;
@@ -74,7 +75,7 @@ class JointCovariance final : public QWidget {
     JointCovariance(Session& session, QWidget* parent);
 
     CorrelationView& view() const { return *view_; }
-    Picture picture(double scale) const { return view_->picture(scale); }
+    Exportable exportable() const;
     QSize sizeHint() const override;
 
   signals:

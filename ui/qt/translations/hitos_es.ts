@@ -4444,6 +4444,10 @@
         <source>Pictures (*.png *.jpg *.jpeg *.svg *.pdf)</source>
         <translation>Imágenes (*.png *.jpg *.jpeg *.svg *.pdf)</translation>
     </message>
+    <message>
+        <source>The picture would have %1 × %2 pixels and may have %3 a side; choose a smaller one.</source>
+        <translation>La imagen tendría %1 × %2 píxeles y puede tener %3 por lado; elija una menor.</translation>
+    </message>
 </context>
 <context>
     <name>Preset</name>
@@ -4716,10 +4720,6 @@
         <translation>Fotogramas por segundo</translation>
     </message>
     <message>
-        <source>Pixels for each of the screen</source>
-        <translation>Píxeles por cada uno de la pantalla</translation>
-    </message>
-    <message>
         <source>%1 frames, %2 s</source>
         <translation>%1 fotogramas, %2 s</translation>
     </message>
@@ -4738,6 +4738,26 @@
     <message>
         <source>Making the film; the frames are there…</source>
         <translation>Haciendo la película; los fotogramas ya están…</translation>
+    </message>
+    <message>
+        <source>Both, side by side</source>
+        <translation>Las dos, una junto a otra</translation>
+    </message>
+    <message>
+        <source>As on the screen</source>
+        <translation>Como en la pantalla</translation>
+    </message>
+    <message>
+        <source>At most %1 × %2 pixels</source>
+        <translation>Como mucho %1 × %2 píxeles</translation>
+    </message>
+    <message>
+        <source>Camera stands still, as it is now</source>
+        <translation>Cámara quieta, como está ahora</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
     </message>
 </context>
 <context>
@@ -4825,10 +4845,6 @@
 <context>
     <name>hitos::window::CanvasView</name>
     <message>
-        <source>The picture would have %1 × %2 pixels and may have %3 a side; choose a smaller scale.</source>
-        <translation>La imagen tendría %1 × %2 píxeles y puede tener %3 por lado; elija una escala menor.</translation>
-    </message>
-    <message>
         <source>Save as image…</source>
         <translation>Guardar como imagen…</translation>
     </message>
@@ -4847,6 +4863,14 @@
     <message>
         <source>Copy picture</source>
         <translation>Copiar imagen</translation>
+    </message>
+    <message>
+        <source>What is seen now</source>
+        <translation>Lo que se ve ahora</translation>
+    </message>
+    <message>
+        <source>The whole picture</source>
+        <translation>La imagen entera</translation>
     </message>
 </context>
 <context>
@@ -5265,6 +5289,101 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::ExportDialog</name>
+    <message>
+        <source>Save as image: %1</source>
+        <translation>Guardar como imagen: %1</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Qué</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Pixels, as on the screen</source>
+        <translation>Píxeles, como en la pantalla</translation>
+    </message>
+    <message>
+        <source>Millimetres, for print</source>
+        <translation>Milímetros, para imprimir</translation>
+    </message>
+    <message>
+        <source>Size in</source>
+        <translation>Tamaño en</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> píxeles</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Anchura</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Width on paper</source>
+        <translation>Anchura en papel</translation>
+    </message>
+    <message>
+        <source> points</source>
+        <translation> puntos</translation>
+    </message>
+    <message>
+        <source>Letters on paper</source>
+        <translation>Letras en papel</translation>
+    </message>
+    <message>
+        <source> dots per inch</source>
+        <translation> puntos por pulgada</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Resolución</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Título</translation>
+    </message>
+    <message>
+        <source>Axes in metres</source>
+        <translation>Ejes en metros</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Leyenda</translation>
+    </message>
+    <message>
+        <source>Light ground</source>
+        <translation>Fondo claro</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Capas</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 píxeles</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::FeatureModel</name>
     <message>
         <source>No.</source>
@@ -5306,6 +5425,14 @@
     <message>
         <source>The map grows here, step by step, from where the robot is believed to be.</source>
         <translation>Aquí crece el mapa, paso a paso, desde donde se cree que está el robot.</translation>
+    </message>
+    <message>
+        <source>Grid map</source>
+        <translation>Mapa de rejilla</translation>
+    </message>
+    <message>
+        <source>The map for papers, as results have it (map.pdf)</source>
+        <translation>El mapa para artículos, como en los resultados (map.pdf)</translation>
     </message>
 </context>
 <context>
@@ -6392,29 +6519,6 @@
     </message>
 </context>
 <context>
-    <name>hitos::window::PictureDialog</name>
-    <message>
-        <source>Save as image</source>
-        <translation>Guardar como imagen</translation>
-    </message>
-    <message>
-        <source>What is &amp;seen now</source>
-        <translation>Lo que se &amp;ve ahora</translation>
-    </message>
-    <message>
-        <source>The &amp;whole picture</source>
-        <translation>La imagen &amp;completa</translation>
-    </message>
-    <message>
-        <source>S&amp;cale</source>
-        <translation>&amp;Escala</translation>
-    </message>
-    <message>
-        <source>%1 × %2 pixels</source>
-        <translation>%1 × %2 píxeles</translation>
-    </message>
-</context>
-<context>
     <name>hitos::window::Plots</name>
     <message>
         <source>Time [s]</source>
@@ -6468,6 +6572,10 @@
         <source>Copy picture</source>
         <translation>Copiar imagen</translation>
     </message>
+    <message>
+        <source>Plots</source>
+        <translation>Gráficas</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::ResultActions</name>
@@ -6498,10 +6606,6 @@
     <message>
         <source>Results saved: %1</source>
         <translation>Resultados guardados: %1</translation>
-    </message>
-    <message>
-        <source>Save as image</source>
-        <translation>Guardar como imagen</translation>
     </message>
     <message>
         <source>Image saved: %1</source>
@@ -6756,6 +6860,10 @@
     <message>
         <source>The scan and what the algorithm makes of it appear here once it runs.</source>
         <translation>Aquí aparecen el barrido y lo que el algoritmo hace de él cuando se ejecuta.</translation>
+    </message>
+    <message>
+        <source>Last scan</source>
+        <translation>Último barrido</translation>
     </message>
 </context>
 <context>
@@ -7182,10 +7290,6 @@
         <translation>Detener el estudio</translation>
     </message>
     <message>
-        <source>Save plot</source>
-        <translation>Guardar gráfica</translation>
-    </message>
-    <message>
         <source>Plot saved: %1</source>
         <translation>Gráfica guardada: %1</translation>
     </message>
@@ -7315,6 +7419,10 @@
         <source>; dashed: %1 in the reference</source>
         <translation>; a trazos: %1 en la referencia</translation>
     </message>
+    <message>
+        <source>Study</source>
+        <translation>Estudio</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::SummaryBar</name>
@@ -7436,6 +7544,10 @@
         <source>Draw a world, or open one, and drive a robot through it.</source>
         <translation>Dibuje un mundo, o abra uno, y conduzca un robot por él.</translation>
     </message>
+    <message>
+        <source>World</source>
+        <translation>Mundo</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::WorldWindow</name>
@@ -7494,6 +7606,10 @@
     <message>
         <source>Maps the tour along the way points, or the one that was driven, in the main window</source>
         <translation>Procesa en la ventana principal el recorrido por los puntos de paso, o el que se condujo</translation>
+    </message>
+    <message>
+        <source>Image saved: %1</source>
+        <translation>Imagen guardada: %1</translation>
     </message>
 </context>
 </TS>

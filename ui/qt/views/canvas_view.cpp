@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "canvas_paint.hpp"
-#include "hitos/base/error.hpp"
 #include "hitos/base/thread_clock.hpp"
 
 namespace hitos::window {
@@ -20,7 +19,7 @@ namespace {
 
 constexpr double kLeastZoom = 0.5;      // pixels per metre
 constexpr double kGreatestZoom = 5000;  // a millimetre is five pixels
-constexpr int kLongestSide = 16000;     // of saved pictures
+constexpr double kWholeMargin = 1.06;   // of a whole picture round its content
 constexpr double kClickPixels = 4.0;
 constexpr double kScaleBand = 46.0;  // pixels at the bottom that belong to the scale bar
 
@@ -75,6 +74,11 @@ void CanvasView::set_follow(bool on) {
         update();
     }
     emit follow_changed(on);
+}
+
+void CanvasView::hold_camera(bool on) {
+    held_ = on;
+    if (!on) content_changed();
 }
 
 void CanvasView::set_turn(double turn_rad) {
@@ -139,12 +143,12 @@ void CanvasView::make_room_for_scale_bar(Camera& camera, const QSizeF& size) con
 }
 
 void CanvasView::apply_fit() {
-    if (fit_) camera_ = fitted(size());
+    if (fit_ && !held_) camera_ = fitted(size());
 }
 
 void CanvasView::content_changed(std::optional<QPointF> robot) {
     robot_ = robot;
-    if (follow_ && robot_) camera_.centre = *robot_;
+    if (follow_ && robot_ && !held_) camera_.centre = *robot_;
     apply_fit();
     hover_again();
     update();
@@ -156,44 +160,78 @@ void CanvasView::hover_again() {
     if (cursor_) emit hovered_at(world_at(*cursor_));
 }
 
-QSize CanvasView::picture_size(bool whole, double scale) const {
-    if (!whole) return (QSizeF(size()) * scale).toSize();
+void CanvasView::set_layers(const LayerSet& layers) {
+    layers_ = layers;
+    hover_again();
+    update();
+}
+
+FigureOffer CanvasView::offer(const QString& words, bool whole) {
+    FigureOffer offer;
+    offer.words = words;
+    offer.width = width();
+    QTransform turn;
+    turn.rotateRadians(camera_.turn_rad);
+    if (whole && content().isValid()) {
+        offer.width = std::clamp(
+            turn.mapRect(content()).width() * kWholeMargin * whole_pixels_per_m(), 64.0, 4000.0);
+    }
+    offer.legend = offer.axes = true;
+    offer.particles = of_particles();
+    offer.layers = drawable();
+    offer.shown = layers_;
+    offer.picture = [this, whole](const FigureWish& wish) { return figure(whole, wish); };
+    return offer;
+}
+
+std::vector<FigureOffer> CanvasView::figures() {
+    return {offer(tr("What is seen now"), false), offer(tr("The whole picture"), true)};
+}
+
+Picture CanvasView::figure(bool whole, const FigureWish& wish) {
+    FigureWish drawn = wish;
+    drawn.layers = wish.layers & drawable();
+    const FigureFrame frame(drawn, font(), of_particles());
+    const QMarginsF around = frame.around();
+    const double wide = std::max(wish.points() - around.left() - around.right(), 1.0);
+    const double band = wish.axes ? 0.0 : kScaleBand;  // of the scale bar
     QTransform turn;
     turn.rotateRadians(camera_.turn_rad);
     const QRectF box = turn.mapRect(content());
-    if (!box.isValid()) return (QSizeF(size()) * scale).toSize();
-    const QSizeF map = box.size() * 1.06 * whole_pixels_per_m() + QSizeF(0.0, kScaleBand);
-    return (map * scale).toSize().expandedTo(QSize(64, 64));
-}
-
-Picture CanvasView::picture(bool whole, double scale) const {
-    const QSize pixels = picture_size(whole, scale);
-    if (pixels.width() > kLongestSide || pixels.height() > kLongestSide) {
-        throw Error(
-            verbatim(tr("The picture would have %1 × %2 pixels and may have %3 a side; choose a "
-                        "smaller scale.")
-                         .arg(pixels.width())
-                         .arg(pixels.height())
-                         .arg(kLongestSide)
-                         .toStdString()));
+    Camera camera = camera_;
+    QSizeF inside(wide, wide * height() / width());
+    if (whole && box.isValid()) {
+        camera.centre = content().center();
+        camera.pixels_per_m = wide / (box.width() * kWholeMargin);
+        inside.setHeight(
+            std::max(box.height() * kWholeMargin * camera.pixels_per_m + band, kScaleBand));
+        if (band > 0.0) make_room_for_scale_bar(camera, inside);
+    } else {
+        camera.pixels_per_m *= wide / width();
     }
-    const QSizeF logical = QSizeF(pixels) / scale;
-    return {logical, scale, [this, whole, logical](QPaintDevice& device, double by) {
-                const Colours& paper = light_colours();
-                QPainter painter(&device);
-                painter.setRenderHint(QPainter::Antialiasing);
-                painter.setFont(font());
-                painter.scale(by, by);
-                painter.fillRect(QRectF(QPointF(), logical), paper.canvas);
-                Camera camera = camera_;
-                if (whole && content().isValid()) {
-                    camera.centre = content().center();
-                    camera.pixels_per_m = whole_pixels_per_m();
-                    make_room_for_scale_bar(camera, logical);
-                }
-                paint_all(painter,
-                          {camera.to_screen(logical), logical, camera.pixels_per_m, paper, true});
-            }};
+    Picture picture;
+    picture.size = inside.grownBy(around);
+    picture.mm_per_point = wish.mm_per_point;
+    picture.ground = wish.ground();
+    picture.paint = [this, frame, inside, camera, wish, size = picture.size](QPaintDevice& device,
+                                                                             double by) {
+        QPainter painter(&device);
+        painter.setRenderHints(QPainter::Antialiasing | QPainter::LosslessImageRendering);
+        painter.setFont(font());
+        painter.scale(by, by);
+        painter.fillRect(QRectF(QPointF(), size), wish.ground());
+        painter.translate(frame.around().left(), frame.around().top());
+        const Scene scene{
+            camera.to_screen(inside), inside, camera.pixels_per_m, *wish.colours, true, !wish.axes};
+        painter.save();
+        painter.setClipRect(QRectF(QPointF(), inside));
+        const LayerSet before = std::exchange(layers_, wish.layers);
+        paint_all(painter, scene);
+        layers_ = before;
+        painter.restore();
+        frame.paint(painter, scene);
+    };
+    return picture;
 }
 
 void CanvasView::paint_all(QPainter& painter, const Scene& scene) const {
@@ -204,7 +242,7 @@ void CanvasView::paint_all(QPainter& painter, const Scene& scene) const {
     view_world.translate(pose.x, pose.y);
     view_world.rotateRadians(pose.theta);
     tool_->paint(painter, {view_world * scene.to_screen, scene.size, scene.pixels_per_m,
-                           scene.colours, scene.chrome});
+                           scene.colours, scene.chrome, scene.scale_bar});
 }
 
 void CanvasView::paintEvent(QPaintEvent* event) {
@@ -370,10 +408,6 @@ void CanvasView::keyPressEvent(QKeyEvent* event) {
         default:
             QWidget::keyPressEvent(event);
     }
-}
-
-void CanvasView::copy_picture() const {
-    copy(picture(false, kCopyScale));
 }
 
 void CanvasView::resizeEvent(QResizeEvent* event) {

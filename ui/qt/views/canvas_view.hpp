@@ -9,7 +9,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "picture.hpp"
+#include "figure.hpp"
 #include "view_tool.hpp"
 
 class QContextMenuEvent;
@@ -37,13 +37,14 @@ class CanvasView : public QWidget {
 
     const Camera& camera() const { return camera_; }
     bool fits() const { return fit_; }
-    /// The picture as seen, or the whole content, each pixel of the screen made `scale` pixels.
-    /// Whole content is drawn with `whole_pixels_per_m()` times scale. Throws hitos::Error where
-    /// it would be too great.
-    Picture picture(bool whole, double scale) const;
-    QSize picture_size(bool whole, double scale) const;
+    const LayerSet& layers() const { return layers_; }
+    void set_layers(const LayerSet& layers);
+    /// What is seen, then all that there is, then other ways to show it. Whole content is at first
+    /// as wide as `whole_pixels_per_m()` makes it.
+    virtual std::vector<FigureOffer> figures();
+    Exportable exportable() { return {accessibleName(), file_name(), font(), figures()}; }
     /// What is seen, to the clipboard.
-    void copy_picture() const;
+    void copy_picture() { copy(figures().front()); }
     /// World coordinates at a point of the widget.
     QPointF world_at(const QPointF& pixel) const;
     /// Draws over the view, and has its clicks while it wants them.
@@ -52,6 +53,8 @@ class CanvasView : public QWidget {
     virtual void fit();
     void zoom(double factor);
     void set_follow(bool on);
+    /// While on, the camera neither fits nor follows; the user moves it.
+    void hold_camera(bool on);
     /// Looks where another one looks.
     void look_as(const CanvasView& other);
 
@@ -71,6 +74,12 @@ class CanvasView : public QWidget {
     /// Pixels per metre of a whole picture at scale 1.
     virtual double whole_pixels_per_m() const { return 20.0; }
     virtual Pose pose_view_world() const { return {}; }
+    /// Of its pictures, without an ending.
+    virtual QString file_name() const = 0;
+    /// The layers that there is something of to draw.
+    virtual LayerSet drawable() const { return {}; }
+    /// Whether several hypotheses are drawn: layers have other names.
+    virtual bool of_particles() const { return false; }
     /// The landmark below a point of the view's frame, as it is in the world.
     virtual std::optional<ICaracteristica> landmark_below(const QPointF& point) const = 0;
     /// The cursor is at `point` of the view's frame, nothing when it left.
@@ -108,6 +117,8 @@ class CanvasView : public QWidget {
     void contextMenuEvent(QContextMenuEvent* event) override;
 
   private:
+    FigureOffer offer(const QString& words, bool whole);
+    Picture figure(bool whole, const FigureWish& wish);
     void paint_all(QPainter& painter, const Scene& scene) const;
     bool measures() const { return tool_ && tool_->takes_clicks(); }
     /// Where the keyboard picks: below the cursor, else in the middle.
@@ -123,9 +134,11 @@ class CanvasView : public QWidget {
     Camera fitted(const QSizeF& size) const;
     void make_room_for_scale_bar(Camera& camera, const QSizeF& size) const;
 
+    LayerSet layers_ = default_layers();
     Camera camera_;
     bool fit_ = true;
     bool follow_ = false;
+    bool held_ = false;
     bool pressed_ = false;
     bool dragged_ = false;
     bool picked_up_ = false;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "hitos/services/drawing/map_figure.hpp"
 #include "particle_painter.hpp"
 
 namespace hitos::window {
@@ -36,9 +37,40 @@ void draw_legend(QPainter& painter, const std::vector<RunTrace>& traces) {
     }
 }
 
+constexpr double kPaperWidth = 85.0;  // mm
+
+/// The figure that a run's results have.
+Picture map_picture(const Snapshot& run, const FigureWish& wish) {
+    static const LandmarkMap kNoMap;
+    static const Trajectory kNoPath;
+    const bool landmarks = wish.layers.has(Layer::landmarks);
+    MapFigureContent content{wish.title.toStdString(),
+                             landmarks ? run.best_map : kNoMap,
+                             {},
+                             wish.layers.has(Layer::path) ? run.best_trajectory : kNoPath,
+                             wish.layers.has(Layer::odometry) ? run.odometry_trajectory : kNoPath};
+    if (landmarks) content.segments = run.line_extents;
+    content.style = {wish.width_mm, wish.layers.has(Layer::uncertainty), wish.axes, wish.legend,
+                     wish.title.toStdString()};
+    const VectorDrawing drawing = map_figure(content);
+    Picture picture;
+    picture.size = QSizeF(drawing.width, drawing.height) / wish.mm_per_point;
+    picture.mm_per_point = wish.mm_per_point;
+    picture.shapes = [drawing](const QString& ending) {
+        return QByteArray::fromStdString(ending == "pdf" ? pdf_text(drawing) : svg_text(drawing));
+    };
+    picture.paint = [drawing, wish](QPaintDevice& device, double by) {
+        const std::string png = png_text(drawing, by / wish.mm_per_point);
+        QPainter(&device).drawImage(0, 0, QImage::fromData(QByteArray::fromStdString(png)));
+    };
+    return picture;
+}
+
 }  // namespace
 
-GridView::GridView(QWidget* parent) : CanvasView(parent), layers_(default_layers()) {}
+GridView::GridView(QWidget* parent) : CanvasView(parent) {
+    setAccessibleName(tr("Grid map"));
+}
 
 void GridView::set_snapshot(const std::shared_ptr<const Snapshot>& snapshot) {
     snapshot_ = snapshot && snapshot->steps > 0 ? snapshot : nullptr;
@@ -76,11 +108,6 @@ void GridView::set_landmarks(const MarkedMap& landmarks) {
     update();
 }
 
-void GridView::set_layers(const LayerSet& layers) {
-    layers_ = layers;
-    update();
-}
-
 void GridView::set_highlight(const PickedLandmark& picked) {
     highlight_ = picked;
     update();
@@ -113,6 +140,39 @@ QRectF GridView::content() const {
     return box;
 }
 
+LayerSet GridView::drawable() const {
+    LayerSet layers;
+    layers.set(Layer::path, !path_.empty());
+    layers.set(Layer::reference, reference_map_ || !reference_path_.empty());
+    const bool landmarks = !snapshot_ && !landmarks_.map.empty();
+    for (const Layer layer : {Layer::landmarks, Layer::endless, Layer::names}) {
+        layers.set(layer, landmarks);
+    }
+    layers.set(Layer::uncertainty, landmarks || snapshot_);
+    if (!snapshot_) return layers;
+    layers.set(Layer::robot, true);
+    layers.set(Layer::odometry, true);
+    layers.set(Layer::online, true);
+    layers.set(Layer::graph, !snapshot_->keys.empty());
+    layers.set(Layer::ancestry, !snapshot_->ancestry.empty());
+    return layers;
+}
+
+std::vector<FigureOffer> GridView::figures() {
+    std::vector<FigureOffer> offers = CanvasView::figures();
+    if (!snapshot_) return offers;
+    FigureOffer paper;
+    paper.words = tr("The map for papers, as results have it (map.pdf)");
+    paper.width = kPaperWidth / kMmPerPoint;
+    paper.paper_mm = kPaperWidth;
+    paper.legend = paper.axes = paper.for_print = true;
+    paper.layers =
+        paper.shown = {Layer::landmarks, Layer::uncertainty, Layer::path, Layer::odometry};
+    paper.picture = [run = snapshot_](const FigureWish& wish) { return map_picture(*run, wish); };
+    offers.push_back(std::move(paper));
+    return offers;
+}
+
 double GridView::whole_pixels_per_m() const {
     return tiles_.empty() ? 20.0 : 1.0 / tiles_.resolution_m;
 }
@@ -122,26 +182,26 @@ void GridView::paint_scene(QPainter& painter, const Scene& scene) const {
     const int unknown = shade_of(kUnknownGrey, scene.colours.dark);
     painter.fillRect(QRectF(QPointF(), scene.size), QColor(unknown, unknown, unknown));
     layer_.paint(painter, scene);
-    if (layers_.has(Layer::reference)) paint_reference(painter, scene);
-    if (layers_.has(Layer::odometry)) {
+    if (layers().has(Layer::reference)) paint_reference(painter, scene);
+    if (layers().has(Layer::odometry)) {
         draw_path(painter, scene, odometry_, thin_pen(light_colours().odometry, 1.4, Qt::DashLine));
     }
-    if (layers_.has(Layer::online)) {
+    if (layers().has(Layer::online)) {
         draw_path(painter, scene, online_, thin_pen(faded(light_colours().path, 150), 1.2));
     }
-    if (layers_.has(Layer::path)) {
+    if (layers().has(Layer::path)) {
         draw_path(painter, scene, path_, thin_pen(light_colours().path, 1.8));
     }
     if (snapshot_) {
         const Scene paper{scene.to_screen, scene.size, scene.pixels_per_m, light_colours(), false};
-        if (layers_.has(Layer::ancestry)) draw_ancestry(painter, paper, snapshot_->ancestry, {});
+        if (layers().has(Layer::ancestry)) draw_ancestry(painter, paper, snapshot_->ancestry, {});
         if (snapshot_->particle) draw_particle(painter, paper, *snapshot_->particle, {});
     }
-    if (layers_.has(Layer::graph)) paint_graph(painter, scene);
-    if (!snapshot_ && layers_.has(Layer::landmarks)) paint_landmarks(painter, scene);
+    if (layers().has(Layer::graph)) paint_graph(painter, scene);
+    if (!snapshot_ && layers().has(Layer::landmarks)) paint_landmarks(painter, scene);
     paint_traces(painter, scene);
     paint_marks(painter, scene);
-    if (scene.chrome) draw_scale_bar(painter, scene);
+    if (scene.scale_bar) draw_scale_bar(painter, scene);
     if (hovered_ >= 0) {
         draw_chip(painter, scene, scene.to_screen.map(hovered_at_m_) + QPointF(14.0, 14.0),
                   describe(landmarks_.map[static_cast<std::size_t>(hovered_)], hovered_));
@@ -171,7 +231,7 @@ void GridView::paint_traces(QPainter& painter, const Scene& scene) const {
     style.uncertainty = false;
     for (const RunTrace& trace : traces_) {
         style.colour = trace.colour;
-        if (layers_.has(Layer::landmarks)) draw_landmarks(painter, paper, trace.landmarks, style);
+        if (layers().has(Layer::landmarks)) draw_landmarks(painter, paper, trace.landmarks, style);
         draw_path(painter, scene, trace.path, thin_pen(trace.colour, 1.8));
     }
     if (scene.chrome) draw_legend(painter, traces_);
@@ -197,8 +257,8 @@ void GridView::paint_graph(QPainter& painter, const Scene& scene) const {
 void GridView::paint_landmarks(QPainter& painter, const Scene& scene) const {
     const Scene paper{scene.to_screen, scene.size, scene.pixels_per_m, light_colours(), false};
     draw_landmarks(painter, paper, landmarks_,
-                   {layers_.has(Layer::uncertainty), layers_.has(Layer::endless),
-                    layers_.has(Layer::names), -1});
+                   {layers().has(Layer::uncertainty), layers().has(Layer::endless),
+                    layers().has(Layer::names), -1});
 }
 
 void GridView::paint_marks(QPainter& painter, const Scene& scene) const {
@@ -206,17 +266,17 @@ void GridView::paint_marks(QPainter& painter, const Scene& scene) const {
         int index = find_same(landmarks_.map, highlight_.landmark);
         if (index < 0) index = hovered_;
         if (index >= 0) {
-            draw_highlight(painter, scene, landmarks_, index, layers_.has(Layer::uncertainty));
+            draw_highlight(painter, scene, landmarks_, index, layers().has(Layer::uncertainty));
         }
     }
     if (path_.empty()) return;
-    if (layers_.has(Layer::path)) {
+    if (layers().has(Layer::path)) {
         draw_disc(painter, scene.to_screen.map(path_.front()), 5.5, light_colours().start);
         draw_disc(painter, scene.to_screen.map(path_.back()), 5.5, light_colours().end);
     }
-    if (layers_.has(Layer::robot) && snapshot_) {
+    if (layers().has(Layer::robot) && snapshot_) {
         Scene paper{scene.to_screen, scene.size, scene.pixels_per_m, light_colours(), false};
-        if (layers_.has(Layer::uncertainty)) {
+        if (layers().has(Layer::uncertainty)) {
             draw_pose_uncertainty(painter, paper, snapshot_->mean_pose, snapshot_->pose_covariance);
         }
         draw_robot(painter, paper, snapshot_->best_pose);

@@ -35,7 +35,6 @@ class GridView final : public CanvasView {
     void set_grid(const GridTiles& tiles, const Trajectory& path);
     /// The landmarks over such a grid, in its frame.
     void set_landmarks(const hitos::window::MarkedMap& landmarks);
-    void set_layers(const LayerSet& layers);
     void set_highlight(const hitos::window::PickedLandmark& picked);
     void set_reference_map(const std::optional<LandmarkMap>& map);
     void set_reference_path(const Trajectory& path_world);
@@ -44,12 +43,18 @@ class GridView final : public CanvasView {
     /// Counts as content too [m], so that views of two runs fit alike.
     void set_other_content(const QRectF& box);
 
+    /// And the map as a figure for papers, as a run's results have it.
+    std::vector<FigureOffer> figures() override;
+
   signals:
     void landmark_clicked(hitos::window::PickedLandmark landmark);
 
   protected:
     void paint_scene(QPainter& painter, const Scene& scene) const override;
+    QString file_name() const override { return QStringLiteral("map"); }
+    LayerSet drawable() const override;
     QRectF content() const override;
+    bool of_particles() const override { return snapshot_ && snapshot_->hypotheses.size() > 1; }
     double whole_pixels_per_m() const override;
     std::optional<ICaracteristica> landmark_below(const QPointF& point) const override;
     void hover(std::optional<QPointF> point) override;
@@ -66,7 +71,6 @@ class GridView final : public CanvasView {
     std::shared_ptr<const Snapshot> snapshot_;
     GridTiles tiles_;
     GridLayer layer_;
-    LayerSet layers_;
     std::vector<QPointF> path_;
     std::vector<QPointF> odometry_;
     std::vector<QPointF> online_;

@@ -7,14 +7,23 @@
 namespace hitos::window {
 namespace {
 
+constexpr int kSide = 16;
+
 QPixmap drawn_sign(const LayerInfo& info, const QColor& colour) {
-    constexpr int kSide = 16;
     constexpr double kScale = 2.0;  // for screens with small pixels
     QPixmap sign(QSize(kSide, kSide) * kScale);
     sign.setDevicePixelRatio(kScale);
     sign.fill(Qt::transparent);
     QPainter painter(&sign);
     painter.setRenderHint(QPainter::Antialiasing);
+    paint_sign(painter, info, colour);
+    return sign;
+}
+
+}  // namespace
+
+void paint_sign(QPainter& painter, const LayerInfo& info, const QColor& colour) {
+    painter.setBrush(Qt::NoBrush);
     QPen pen(colour, 2.0);
     pen.setCapStyle(Qt::RoundCap);
     const QLineF stroke(2.0, 12.0, 14.0, 4.0);
@@ -58,11 +67,7 @@ QPixmap drawn_sign(const LayerInfo& info, const QColor& colour) {
                 QPolygonF{{3.5, 14.0}, {3.5, 6.0}, {8.0, 2.0}, {12.5, 6.0}, {12.5, 14.0}});
             break;
     }
-    painter.end();
-    return sign;
 }
-
-}  // namespace
 
 QString layer_name(const LayerInfo& info, bool particles) {
     const char* name = particles || info.alone == nullptr ? info.name : info.alone;

@@ -8,8 +8,11 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 
 #include "look/theme.hpp"
+
+class QPainter;
 
 namespace hitos::window {
 
@@ -113,8 +116,16 @@ inline constexpr std::size_t kLayers = kLayerTable.size();
 
 class LayerSet {
   public:
+    LayerSet() = default;
+    LayerSet(std::initializer_list<Layer> layers) {
+        for (const Layer layer : layers) set(layer, true);
+    }
     bool has(Layer layer) const { return bits_.test(static_cast<std::size_t>(layer)); }
     void set(Layer layer, bool on) { bits_.set(static_cast<std::size_t>(layer), on); }
+    friend LayerSet operator&(LayerSet a, const LayerSet& b) {
+        a.bits_ &= b.bits_;
+        return a;
+    }
     friend bool operator==(const LayerSet&, const LayerSet&) = default;
 
   private:
@@ -124,7 +135,9 @@ class LayerSet {
 /// The layer's name in the user's language; empty where there is none without particles.
 QString layer_name(const LayerInfo& info, bool particles);
 QString layer_meaning(const LayerInfo& info);
-/// As it is drawn, in the colours in use.
+/// What stands for it in legends, 16 x 16 from the painter's origin.
+void paint_sign(QPainter& painter, const LayerInfo& info, const QColor& colour);
+/// The same in the colours in use.
 QIcon layer_sign(const LayerInfo& info);
 LayerSet default_layers();
 

@@ -1,7 +1,5 @@
 #include "picture.hpp"
 
-#include <qcustomplot.h>
-
 #include <QBuffer>
 #include <QClipboard>
 #include <QCoreApplication>
@@ -13,13 +11,11 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
-#include "look/theme.hpp"
 
 namespace hitos::window {
 namespace {
 
 constexpr int kDotsPerInch = 96;  // of the screen's points
-constexpr double kPointsPerInch = 72.0;
 
 QString picture_words(const char* text) {
     return QCoreApplication::translate("Picture", text);
@@ -44,13 +40,18 @@ QByteArray pixels_of(const QImage& image, const QString& path) {
     return bytes;
 }
 
+/// How much larger points are than the dots of a device of shapes.
+double by_of(const Picture& picture) {
+    return picture.mm_per_point / kMmPerPoint;
+}
+
 QByteArray svg_of(const Picture& picture) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     QSvgGenerator device;
     device.setOutputDevice(&buffer);
-    device.setSize(picture.size.toSize());
+    device.setSize((picture.size * by_of(picture)).toSize());
     device.setViewBox(QRectF(QPointF(), picture.size));
     device.setResolution(kDotsPerInch);
     device.setTitle("Hitos");
@@ -65,11 +66,11 @@ QByteArray pdf_of(const Picture& picture) {
     {
         QPdfWriter device(&buffer);
         device.setResolution(kDotsPerInch);
-        device.setPageSize(QPageSize(picture.size * kPointsPerInch / kDotsPerInch, QPageSize::Point,
-                                     {}, QPageSize::ExactMatch));
+        device.setPageSize(QPageSize(picture.size * picture.mm_per_point, QPageSize::Millimeter, {},
+                                     QPageSize::ExactMatch));
         device.setPageMargins({});
         device.setTitle("Hitos");
-        picture.paint(device, 1.0);
+        picture.paint(device, by_of(picture));
     }
     return bytes;
 }
@@ -89,25 +90,29 @@ void check_ending(const QString& path, const QStringList& known) {
 
 }  // namespace
 
-Picture picture_of(QCustomPlot& plot, double scale, std::function<void(const Colours&)> style) {
-    Picture picture;
-    picture.size = plot.size();
-    picture.scale = scale;
-    picture.paint = [&plot, style = std::move(style)](QPaintDevice& device, double by) {
-        style(light_colours());
-        QCPPainter painter(&device);
-        painter.setMode(QCPPainter::pmVectorized);
-        painter.scale(by, by);
-        plot.toPainter(&painter, plot.width(), plot.height());
-        style(colours());
-    };
-    return picture;
+void check_size(const Picture& picture) {
+    constexpr int kLongestSide = 16000;
+    const QSize pixels = picture.pixels();
+    if (std::max(pixels.width(), pixels.height()) <= kLongestSide) return;
+    throw Error(verbatim(picture_words(QT_TRANSLATE_NOOP("Picture",
+                                                         "The picture would have %1 × %2 "
+                                                         "pixels and may have %3 a side; choose "
+                                                         "a smaller one."))
+                             .arg(pixels.width())
+                             .arg(pixels.height())
+                             .arg(kLongestSide)
+                             .toStdString()));
 }
 
 QImage image_of(const Picture& picture) {
-    QImage image(picture.pixels(), QImage::Format_RGB32);
-    image.fill(light_colours().canvas);
+    check_size(picture);
+    QImage image(picture.pixels().expandedTo({1, 1}), QImage::Format_RGB32);
+    image.fill(picture.ground);
     picture.paint(image, picture.scale);
+    // After it, for letters go by them.
+    const int dots = qRound(picture.scale / picture.mm_per_point * 1000.0);  // in a metre
+    image.setDotsPerMeterX(dots);
+    image.setDotsPerMeterY(dots);
     return image;
 }
 
@@ -122,6 +127,9 @@ QString picture_filter() {
 void write_picture(const Picture& picture, const QString& path) {
     check_ending(path, {"png", "jpg", "jpeg", "svg", "pdf"});
     const QString ending = ending_of(path);
+    if (picture.shapes && (ending == "svg" || ending == "pdf")) {
+        return write_bytes(picture.shapes(ending), path);
+    }
     if (ending == "svg") return write_bytes(svg_of(picture), path);
     if (ending == "pdf") return write_bytes(pdf_of(picture), path);
     write_bytes(pixels_of(image_of(picture), path), path);

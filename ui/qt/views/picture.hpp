@@ -1,36 +1,39 @@
 // Pictures for files and the clipboard: pixels, or shapes for print.
 #pragma once
 
+#include <QByteArray>
+#include <QColor>
 #include <QImage>
 #include <QSize>
 #include <QString>
 #include <functional>
 
-class QCustomPlot;
 class QPaintDevice;
 
 namespace hitos::window {
 
-struct Colours;
+/// What a point of the screen is as long as, at 96 to the inch.
+inline constexpr double kMmPerPoint = 25.4 / 96.0;
 
 /// Something that can be painted at any scale.
 struct Picture {
-    QSizeF size;         ///< in points of the screen
-    double scale = 1.0;  ///< pixels of a file of pixels for each of them
+    QSizeF size;                        ///< in points of the screen
+    double scale = 1.0;                 ///< pixels of a file of pixels for each of them
+    double mm_per_point = kMmPerPoint;  ///< how large they are on paper
     /// Paints on a device that has `scale` of its units for each point of the screen.
     std::function<void(QPaintDevice& device, double scale)> paint;
+    /// The bytes of an SVG ("svg") or PDF, where somebody else makes them.
+    std::function<QByteArray(const QString& ending)> shapes = {};
+    QColor ground = Qt::white;
 
     QSize pixels() const { return (size * scale).toSize(); }
 };
 
-/// `style` gives the plot its colours; the picture's are the light ones, whatever the screen's.
-Picture picture_of(QCustomPlot& plot, double scale, std::function<void(const Colours&)> style);
-
+/// Throws hitos::Error where a file of pixels would have too many of them.
+void check_size(const Picture& picture);
+/// In pixels; throws what check_size() does.
 QImage image_of(const Picture& picture);
-
-/// Pixels of a copied picture for each point of the screen.
-inline constexpr double kCopyScale = 2.0;
-/// Puts it into the clipboard.
+/// To the clipboard, in pixels.
 void copy(const Picture& picture);
 
 /// The endings that write_picture() knows, for a file dialog.

@@ -2,6 +2,8 @@
 
 #include <qcustomplot.h>
 
+#include <utility>
+
 namespace hitos::window {
 
 QCPAxisRect* add_titled_plot(QCustomPlot& plot, int row, int column, const QString& title) {
@@ -24,6 +26,36 @@ QFont plot_font(const QFont& words) {
     QFont font = words;
     font.setPointSizeF(font.pointSizeF() * 0.85);
     return font;
+}
+
+FigureOffer figure_of(QCustomPlot& plot, std::function<void(const Colours&)> style) {
+    constexpr double kPage = 170.0;  // mm
+    FigureOffer offer;
+    offer.width = plot.width();
+    offer.paper_mm = kPage;
+    offer.picture = [&plot, style = std::move(style)](const FigureWish& wish) {
+        const double high = wish.points() * plot.height() / plot.width();
+        const double top = FigureFrame(wish, plot.font(), false).around().top();
+        Picture picture;
+        picture.size = QSizeF(wish.points(), high + top);
+        picture.mm_per_point = wish.mm_per_point;
+        picture.ground = wish.ground();
+        picture.paint = [&plot, style, wish, top, high](QPaintDevice& device, double by) {
+            style(*wish.colours);
+            QCPPainter painter(&device);
+            painter.setMode(QCPPainter::pmVectorized);
+            painter.setFont(plot.font());
+            painter.scale(by, by);
+            painter.fillRect(QRectF(0.0, 0.0, wish.points(), high + top), wish.ground());
+            painter.translate(0.0, top);
+            FigureFrame(wish, plot.font(), false)
+                .paint(painter, {{}, QSizeF(wish.points(), high), 1.0, *wish.colours});
+            plot.toPainter(&painter, qRound(wish.points()), qRound(high));
+            style(colours());
+        };
+        return picture;
+    };
+    return offer;
 }
 
 void style_plot(QCPAxisRect& rect, QCPTextElement& title, const Colours& colours,

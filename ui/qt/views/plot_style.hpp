@@ -3,7 +3,9 @@
 
 #include <QFont>
 #include <QString>
+#include <functional>
 
+#include "figure.hpp"
 #include "look/theme.hpp"
 
 class QCPAxisRect;
@@ -18,6 +20,8 @@ QCPTextElement* title_of(QCustomPlot& plot, int row, int column);
 
 /// The letters of titles and axes beside words in this font.
 QFont plot_font(const QFont& words);
+/// The plots as a figure as wide as is wished and of the same shape; `style` gives them colours.
+FigureOffer figure_of(QCustomPlot& plot, std::function<void(const Colours&)> style);
 void style_plot(QCPAxisRect& rect, QCPTextElement& title, const Colours& colours,
                 const QFont& font);
 

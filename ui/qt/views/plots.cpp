@@ -347,8 +347,9 @@ void Plots::hide_values() {
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-Picture Plots::picture(double scale) {
-    return picture_of(*plot_, scale, [this](const Colours& c) { style(c); });
+Exportable Plots::exportable() {
+    return {
+        tr("Plots"), "plots", font(), {figure_of(*plot_, [this](const Colours& c) { style(c); })}};
 }
 
 const Plots::Shown* Plots::find(Figure figure) const {

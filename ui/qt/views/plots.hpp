@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "picture.hpp"
+#include "figure.hpp"
 #include "session/session.hpp"
 #include "workers/reference_meter.hpp"
 
@@ -51,9 +51,8 @@ class Plots final : public QWidget {
 
     QSize sizeHint() const override;
 
-    /// For print: in the light colours.
-    Picture picture(double scale);
-    void copy_picture() { copy(picture(kCopyScale)); }
+    Exportable exportable();
+    void copy_picture() { copy(exportable().offers.front()); }
 
     /// Points drawn so far; 0 where the plot is not shown.
     int points(Figure figure) const;

@@ -41,7 +41,8 @@ double distance_to(const QLineF& segment, const QPointF& point) {
 
 }  // namespace
 
-ScanView::ScanView(QWidget* parent) : CanvasView(parent), layers_(default_layers()) {
+ScanView::ScanView(QWidget* parent) : CanvasView(parent) {
+    setAccessibleName(tr("Last scan"));
     set_turn(kPi / 2.0);
 }
 
@@ -59,12 +60,6 @@ void ScanView::set_snapshot(const std::shared_ptr<const Snapshot>& snapshot) {
     if (anew) content_ = {};
     hovered_ = -1;
     prepare();
-}
-
-void ScanView::set_layers(const LayerSet& layers) {
-    layers_ = layers;
-    hover_again();
-    update();
 }
 
 void ScanView::set_robot_frame(bool on) {
@@ -176,36 +171,46 @@ void ScanView::grow_content() {
     }
 }
 
+LayerSet ScanView::drawable() const {
+    LayerSet layers;
+    for (const LayerInfo& info : kLayerTable) layers.set(info.layer, snapshot_ && info.in_scan);
+    if (robot_frame_) {
+        layers.set(Layer::path, false);
+        layers.set(Layer::ancestry, false);
+    }
+    return layers;
+}
+
 void ScanView::paint_scene(QPainter& painter, const Scene& scene) const {
     if (!snapshot_) return;
     draw_metre_grid(painter, scene);
     const int highlighted = find_same(snapshot_->best_map, highlight_.landmark);
-    if (layers_.has(Layer::landmarks)) {
+    if (layers().has(Layer::landmarks)) {
         draw_landmarks(painter, scene, landmarks_,
-                       {layers_.has(Layer::uncertainty), layers_.has(Layer::endless),
-                        layers_.has(Layer::names), highlighted});
+                       {layers().has(Layer::uncertainty), layers().has(Layer::endless),
+                        layers().has(Layer::names), highlighted});
     }
-    if (layers_.has(Layer::path) && !robot_frame_) {
+    if (layers().has(Layer::path) && !robot_frame_) {
         draw_path(painter, scene, points_of(snapshot_->best_trajectory),
                   thin_pen(faded(scene.colours.path, 170), 1.6));
     }
-    if (layers_.has(Layer::scan)) {
+    if (layers().has(Layer::scan)) {
         QPolygonF pixels;
         for (const QPointF& point : points_) pixels.append(scene.to_screen.map(point));
         painter.setPen(QPen(scene.colours.scan, 2.6, Qt::SolidLine, Qt::RoundCap));
         painter.drawPoints(pixels);
     }
     paint_particles(painter, scene);
-    if (layers_.has(Layer::robot)) {
-        if (layers_.has(Layer::uncertainty)) {
+    if (layers().has(Layer::robot)) {
+        if (layers().has(Layer::uncertainty)) {
             draw_pose_uncertainty(painter, scene, snapshot_->mean_pose, snapshot_->pose_covariance,
                                   pose_view_world());
         }
         draw_robot(painter, scene, pose_view_robot());
     }
-    if (layers_.has(Layer::detected)) paint_detected(painter, scene);
+    if (layers().has(Layer::detected)) paint_detected(painter, scene);
     paint_links(painter, scene);
-    if (scene.chrome) draw_scale_bar(painter, scene);
+    if (scene.scale_bar) draw_scale_bar(painter, scene);
     if (hovered_ >= 0 && static_cast<std::size_t>(hovered_) < landmarks_.map.size()) {
         draw_chip(painter, scene, scene.to_screen.map(hovered_at_m_) + QPointF(14.0, 14.0),
                   describe(snapshot_->best_map[static_cast<std::size_t>(hovered_)], hovered_));
@@ -213,17 +218,17 @@ void ScanView::paint_scene(QPainter& painter, const Scene& scene) const {
 }
 
 void ScanView::paint_particles(QPainter& painter, const Scene& scene) const {
-    if (layers_.has(Layer::ancestry) && !robot_frame_) {
+    if (layers().has(Layer::ancestry) && !robot_frame_) {
         draw_ancestry(painter, scene, snapshot_->ancestry, {});
     }
     if (snapshot_->particle) {
         draw_particle(painter, scene, *snapshot_->particle, pose_view_world());
     }
-    if (layers_.has(Layer::particles)) draw_cloud(painter, scene, cloud_);
+    if (layers().has(Layer::particles)) draw_cloud(painter, scene, cloud_);
 }
 
 int ScanView::particle_at(const QPointF& point) const {
-    if (!layers_.has(Layer::particles)) return -1;
+    if (!layers().has(Layer::particles)) return -1;
     int found = -1;
     double nearest = tolerance_m();
     for (std::size_t i = 0; i < cloud_.particles.size(); ++i) {
@@ -236,7 +241,7 @@ int ScanView::particle_at(const QPointF& point) const {
 }
 
 int ScanView::feature_at(const QPointF& point) const {
-    if (!layers_.has(Layer::detected)) return -1;
+    if (!layers().has(Layer::detected)) return -1;
     int found = -1;
     double nearest = tolerance_m();
     for (std::size_t i = 0; i < snapshot_->associations.size(); ++i) {
@@ -270,7 +275,7 @@ void ScanView::paint_links(QPainter& painter, const Scene& scene) const {
         painter.drawEllipse(
             scene.to_screen.map(links_[static_cast<std::size_t>(feature_)].observed), 11.0, 11.0);
     }
-    if (!layers_.has(Layer::associations)) return;
+    if (!layers().has(Layer::associations)) return;
     for (const Link& link : links_) {
         const QPointF from = scene.to_screen.map(link.observed);
         const QPointF to = scene.to_screen.map(link.landmark);
@@ -298,7 +303,7 @@ void ScanView::paint_links(QPainter& painter, const Scene& scene) const {
 }
 
 int ScanView::landmark_shown_at(const QPointF& point) const {
-    if (!layers_.has(Layer::landmarks)) return -1;
+    if (!layers().has(Layer::landmarks)) return -1;
     return landmark_at(landmarks_, {point.x(), point.y()}, tolerance_m());
 }
 

@@ -24,7 +24,6 @@ class ScanView final : public CanvasView {
     bool robot_frame() const { return robot_frame_; }
 
     void set_snapshot(const std::shared_ptr<const Snapshot>& snapshot);
-    void set_layers(const LayerSet& layers);
     void set_robot_frame(bool on);
     /// Shows this landmark of the world strongly; nothing shows none.
     void set_highlight(const hitos::window::PickedLandmark& picked);
@@ -39,7 +38,10 @@ class ScanView final : public CanvasView {
 
   protected:
     void paint_scene(QPainter& painter, const Scene& scene) const override;
+    QString file_name() const override { return QStringLiteral("scan"); }
+    LayerSet drawable() const override;
     QRectF content() const override { return content_; }
+    bool of_particles() const override { return snapshot_ && snapshot_->hypotheses.size() > 1; }
     double whole_pixels_per_m() const override { return 60.0; }
     Pose pose_view_world() const override;
     std::optional<ICaracteristica> landmark_below(const QPointF& point) const override;
@@ -70,7 +72,6 @@ class ScanView final : public CanvasView {
     void paint_links(QPainter& painter, const Scene& scene) const;
 
     std::shared_ptr<const Snapshot> snapshot_;
-    LayerSet layers_;
     bool robot_frame_ = true;
     PickedLandmark highlight_;
     int feature_ = -1;

@@ -257,8 +257,9 @@ void StudyPlots::explain(const QPoint& place) {
     QToolTip::hideText();
 }
 
-Picture StudyPlots::picture(double scale) {
-    return picture_of(*plot_, scale, [this](const Colours& c) { style(c); });
+Exportable StudyPlots::exportable() {
+    return {
+        tr("Study"), "study", font(), {figure_of(*plot_, [this](const Colours& c) { style(c); })}};
 }
 
 int StudyPlots::means() const {
@@ -273,7 +274,7 @@ void StudyPlots::contextMenuEvent(QContextMenuEvent* event) {
     if (empty()) return;
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addAction(tr("Copy picture"), this, [this] { copy(picture(kCopyScale)); });
+    menu->addAction(tr("Copy picture"), this, [this] { copy(exportable().offers.front()); });
     menu->addAction(tr("Save as image…"), this, &StudyPlots::picture_wanted);
     menu->popup(event->globalPos());
 }

@@ -5,10 +5,10 @@
 #include <QWidget>
 #include <vector>
 
+#include "figure.hpp"
 #include "hitos/services/study/study_abscissa.hpp"
 #include "hitos/services/study/study_result.hpp"
 #include "look/theme.hpp"
-#include "picture.hpp"
 
 class QCPAxisRect;
 class QCPErrorBars;
@@ -32,8 +32,7 @@ class StudyPlots final : public QWidget {
     bool empty() const { return cells_.empty(); }
     void restyle();
 
-    /// For paper: in light colours. `scale` is pixels per point.
-    Picture picture(double scale);
+    Exportable exportable();
 
     /// Values that have a mean quality, for tests.
     int means() const;

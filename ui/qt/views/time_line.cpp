@@ -14,11 +14,11 @@
 namespace hitos::window {
 namespace {
 
-constexpr int kEdge = 7;         // beside the line, half the handle
-constexpr int kGroove = 4;       // its height
-constexpr int kTen = 10;         // scans with Shift
-constexpr int kNear = 3;         // pixels about a place that a tip tells of
-constexpr qsizetype kLines = 8;  // of a tip
+constexpr int kEdge = 7;            // beside the line, half the handle
+constexpr int kGroove = 4;          // its height
+constexpr int kTen = 10;            // scans with Shift
+constexpr int kNear = 3;            // pixels about a place that a tip tells of
+constexpr qsizetype kTipLines = 8;  // of a tip
 
 }  // namespace
 
@@ -122,7 +122,7 @@ QString TimeLine::tip_at(int x) const {
         const bool near = mark.kind == Mark::Kind::filter ? mark.scan == scan_at(x)
                                                           : std::abs(x_of(mark.scan) - x) <= kNear;
         if (!near) continue;
-        if (lines.size() == kLines) {
+        if (lines.size() == kTipLines) {
             lines << QStringLiteral("…");
             break;
         }

@@ -19,7 +19,8 @@ struct Scene {
     QSizeF size;
     double pixels_per_m = 1.0;
     const Colours& colours;
-    bool chrome = true;  ///< with scale bar and legends
+    bool chrome = true;     ///< with scale bar and legends
+    bool scale_bar = true;  ///< where there is no axis
 };
 
 /// A place of the world that the user points at, and the landmark there if it counts.

@@ -54,6 +54,7 @@ constexpr QRectF kEmptySheet(-2.0, -2.0, 14.0, 9.0);
 }  // namespace
 
 WorldView::WorldView(QWidget* parent) : CanvasView(parent) {
+    setAccessibleName(tr("World"));
     setFocusPolicy(Qt::StrongFocus);
 }
 
@@ -93,11 +94,6 @@ void WorldView::set_tour(std::shared_ptr<const SimulatedTour> tour) {
     grow_sheet();
 }
 
-void WorldView::set_layers(const LayerSet& layers) {
-    layers_ = layers;
-    update();
-}
-
 void WorldView::set_snapshot(std::shared_ptr<const Snapshot> snapshot) {
     snapshot_ = snapshot && snapshot->steps > 0 ? std::move(snapshot) : nullptr;
     update();
@@ -112,6 +108,16 @@ void WorldView::refresh() {
     if (!tour_) return;
     const Pose robot = tour_->pose_now();
     content_changed(QPointF(robot.x, robot.y));
+}
+
+LayerSet WorldView::drawable() const {
+    if (!tour_) return {};
+    LayerSet layers{Layer::scan, Layer::robot};
+    if (snapshot_) {
+        layers = {Layer::scan,        Layer::robot,   Layer::landmarks, Layer::path,
+                  Layer::uncertainty, Layer::endless, Layer::names,     Layer::particles};
+    }
+    return layers;
 }
 
 QRectF WorldView::content() const {
@@ -144,10 +150,10 @@ void WorldView::drag(const QPointF& point) {
 void WorldView::paint_scene(QPainter& painter, const Scene& scene) const {
     draw_metre_grid(painter, scene);
     if (tour_) {
-        if (layers_.has(Layer::scan)) paint_rays(painter, scene);
+        if (layers().has(Layer::scan)) paint_rays(painter, scene);
         paint_walls(painter, scene);
         paint_belief(painter, scene);
-        if (layers_.has(Layer::robot)) paint_truth(painter, scene);
+        if (layers().has(Layer::robot)) paint_truth(painter, scene);
         if (goal_) {
             draw_cross(painter, scene.to_screen.map(point_of(*goal_)), scene.colours.accent);
         }
@@ -155,7 +161,7 @@ void WorldView::paint_scene(QPainter& painter, const Scene& scene) const {
         paint_walls(painter, scene);
         paint_plan(painter, scene);
     }
-    if (scene.chrome) draw_scale_bar(painter, scene);
+    if (scene.scale_bar) draw_scale_bar(painter, scene);
 }
 
 void WorldView::paint_walls(QPainter& painter, const Scene& scene) const {
@@ -252,9 +258,9 @@ void WorldView::paint_rays(QPainter& painter, const Scene& scene) const {
 
 void WorldView::paint_landmarks(QPainter& painter, const Scene& scene) const {
     LandmarkStyle style;
-    style.uncertainty = layers_.has(Layer::uncertainty);
-    style.endless = layers_.has(Layer::endless);
-    style.numbers = layers_.has(Layer::names);
+    style.uncertainty = layers().has(Layer::uncertainty);
+    style.endless = layers().has(Layer::endless);
+    style.numbers = layers().has(Layer::names);
     draw_landmarks(painter, scene, {snapshot_->best_map, snapshot_->line_extents}, style);
 }
 
@@ -267,12 +273,12 @@ void WorldView::paint_belief(QPainter& painter, const Scene& scene) const {
     run_world.rotateRadians(start.theta);
     const Scene of_run{run_world * scene.to_screen, scene.size, scene.pixels_per_m, scene.colours,
                        false};
-    if (layers_.has(Layer::landmarks)) paint_landmarks(painter, of_run);
-    if (layers_.has(Layer::path)) {
+    if (layers().has(Layer::landmarks)) paint_landmarks(painter, of_run);
+    if (layers().has(Layer::path)) {
         draw_path(painter, of_run, points_of(snapshot_->best_trajectory),
                   thin_pen(scene.colours.path, 1.6));
     }
-    if (!layers_.has(Layer::particles)) return;
+    if (!layers().has(Layer::particles)) return;
     for (const WeightedPose& hypothesis : snapshot_->hypotheses) {
         draw_disc(painter, of_run.to_screen.map(QPointF(hypothesis.pose.x, hypothesis.pose.y)), 1.6,
                   scene.colours.particle);

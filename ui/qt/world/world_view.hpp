@@ -23,7 +23,6 @@ class WorldView final : public CanvasView {
     void set_world(std::shared_ptr<const World> world);
     /// All that is there now, and no more.
     void fit() override;
-    void set_layers(const LayerSet& layers);
     /// What is driven; null: nothing.
     void set_tour(std::shared_ptr<const SimulatedTour> tour);
     void set_snapshot(std::shared_ptr<const Snapshot> snapshot);
@@ -38,6 +37,8 @@ class WorldView final : public CanvasView {
 
   protected:
     void paint_scene(QPainter& painter, const Scene& scene) const override;
+    QString file_name() const override { return QStringLiteral("world"); }
+    LayerSet drawable() const override;
     QRectF content() const override;
     std::optional<ICaracteristica> landmark_below(const QPointF& point) const override;
     void click(const QPointF& point) override;
@@ -68,7 +69,6 @@ class WorldView final : public CanvasView {
     std::shared_ptr<const Snapshot> snapshot_;
     std::optional<Point2> goal_;
     QRectF sheet_;  ///< what is in sight; grows with what is drawn beyond it
-    LayerSet layers_ = default_layers();
     unsigned keys_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "world_window.hpp"
 
+#include <QDir>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -10,6 +11,7 @@
 #include <utility>
 
 #include "check_line.hpp"
+#include "dialogs/export_dialog.hpp"
 #include "draw_bar.hpp"
 #include "drive_panel.hpp"
 #include "hitos/capture/tour_reader.hpp"
@@ -45,6 +47,10 @@ WorldWindow::WorldWindow(Session& session, UserFiles& files, Prompts& prompts,
     view_ = new WorldView(this);
     view_->setObjectName("world_view");
     view_->set_tool(tool_);
+    connect(view_, &CanvasView::picture_wanted, this, [this, &files] {
+        const QString path = export_figure(files, prompts_, this, view_->exportable());
+        if (!path.isEmpty()) say(tr("Image saved: %1").arg(QDir::toNativeSeparators(path)));
+    });
     bar_ = new DrawBar(draft_, tool_, *view_, this);
     column->addWidget(bar_);
     column->addWidget(view_, 1);

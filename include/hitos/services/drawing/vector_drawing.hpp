@@ -98,6 +98,10 @@ std::string svg_text(const VectorDrawing& drawing);
 /// Throws Error where there is no memory for it.
 std::string pdf_text(const VectorDrawing& drawing);
 
+/// PNG of a drawing on white paper, `scale` pixels for each of its units. Throws Error where it
+/// would have too many or there is no memory for it.
+std::string png_text(const VectorDrawing& drawing, double scale);
+
 /// Writes a drawing in pixels on white paper atomically; the path's extension (.png, .jpg, .jpeg,
 /// in any case) says the kind. Throws FileError.
 void write_picture(const VectorDrawing& drawing, const std::filesystem::path& path);

@@ -1,4 +1,4 @@
-#include "drawing/map_figure.hpp"
+#include "hitos/services/drawing/map_figure.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -84,7 +84,7 @@ TEST_F(MapFigureTest, RegionsHoldTwoSigma) {
     EXPECT_NEAR(std::abs(band.front().y - wall[0].y), 2.0 * sigma * mm_per_m, 1e-9);
     const auto& words = layer(drawing, "legend")->texts;
     EXPECT_TRUE(std::ranges::any_of(
-        words, [](const DrawnText& text) { return text.text == "uncertainty, 2 sigma"; }));
+        words, [](const DrawnText& text) { return text.text == "uncertainty, 2 \xcf\x83"; }));
 }
 
 TEST_F(MapFigureTest, LegendNamesWhatIsThere) {

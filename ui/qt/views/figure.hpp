@@ -1,0 +1,92 @@
+// What can be exported of a view or plot, and what stands round it: title, axes, legend.
+#pragma once
+
+#include <QFontMetricsF>
+#include <QMarginsF>
+#include <QString>
+#include <functional>
+#include <vector>
+
+#include "layers.hpp"
+#include "picture.hpp"
+#include "view_tool.hpp"
+
+namespace hitos::window {
+
+/// How somebody wants a figure.
+struct FigureWish {
+    double width_mm = 85.0;
+    double mm_per_point = kMmPerPoint;  ///< how large a point of the screen gets
+    bool legend = false;
+    bool axes = false;
+    QString title = {};  ///< above it; empty: none
+    LayerSet layers = {};
+    const Colours* colours = &light_colours();
+
+    double points() const { return width_mm / mm_per_point; }
+    /// Paper is white.
+    QColor ground() const { return colours->dark ? colours->canvas : QColor(Qt::white); }
+};
+
+/// One way to show what has the focus.
+struct FigureOffer {
+    QString words;           ///< what is shown
+    double width = 0.0;      ///< on the screen [points]
+    double paper_mm = 85.0;  ///< as wide as a column
+    bool legend = false;     ///< whether it can have one, and axes that can be left out
+    bool axes = false;
+    bool for_print = false;  ///< it has letters of its own, and a size on paper
+    bool particles = false;  ///< for the names of layers
+    LayerSet layers = {};    ///< that it can draw,
+    LayerSet shown = {};     ///< and that it draws at first
+    /// Throws hitos::Error.
+    std::function<Picture(const FigureWish&)> picture;
+
+    /// As it is on the screen, in light colours.
+    Picture as_seen(double scale) const;
+};
+
+/// Pixels of a copied figure for each point of the screen.
+inline constexpr double kCopyScale = 2.0;
+/// Puts it into the clipboard as it is on the screen, in light colours.
+void copy(const FigureOffer& offer);
+
+/// What has the focus, and the ways to show it, the usual one first.
+struct Exportable {
+    QString words;  ///< "Grid map"
+    QString name;   ///< of a file, without ending: "map"
+    QFont font;     ///< of its letters on the screen
+    std::vector<FigureOffer> offers;
+};
+
+/// What stands round the inside of a figure, in its points.
+class FigureFrame {
+  public:
+    FigureFrame(const FigureWish& wish, const QFont& font, bool particles);
+
+    /// Of title, axes and legend.
+    const QMarginsF& around() const { return around_; }
+    /// Onto a figure whose inside has the scene's size: the painter's origin is the inside's
+    /// corner.
+    void paint(QPainter& painter, const Scene& scene) const;
+
+  private:
+    void paint_axis(QPainter& painter, const Scene& scene, bool upright) const;
+    void lay_out_legend(bool particles);
+
+    struct Entry {
+        const LayerInfo* layer;
+        QString name;
+        QPointF at;  ///< from the legend's upper left corner
+    };
+    FigureWish wish_;
+    QFontMetricsF metrics_;
+    QMarginsF around_;
+    double axis_room_ = 0.0;  ///< below the inside
+    std::vector<Entry> legend_;
+};
+
+/// "−0.5": as figures have numbers.
+QString figure_number(double value);
+
+}  // namespace hitos::window
