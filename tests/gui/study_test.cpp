@@ -11,6 +11,7 @@
 #include <QSpinBox>
 
 #include "dialogs/configuration_dialog.hpp"
+#include "dialogs/export_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "gui_fixture.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
@@ -394,18 +395,22 @@ void StudyTest::the_configuration_may_change_meanwhile() {
 void StudyTest::its_plot_is_saved() {
     StudyFixture f;
     QVERIFY(!f.enabled("save"));
+    const auto save = [&f] {
+        in_dialog<ExportDialog>([](ExportDialog& dialog) { dialog.accept(); });
+        f.press("save");
+    };
     f.run_study();
     f.prompts.saves = {f.path("plot.png")};
-    f.press("save");
+    save();
     QVERIFY(!QImage(f.path("plot.png")).isNull());
     f.prompts.saves = {f.path("plot.pdf")};
-    f.press("save");
+    save();
     QVERIFY(Fixture::read(f.path("plot.pdf")).startsWith("%PDF"));
     // Overwriting declined, a kind that is none, a folder that is not there, given up.
     f.prompts.saves = {f.path("plot.png"), f.path("plot.bmp"), f.path("no/folder/plot.pdf")};
     f.prompts.confirms = {false};
     f.prompts.saves_asked = 0;
-    f.press("save");
+    save();
     QCOMPARE(f.prompts.saves_asked, 4);
     QCOMPARE(f.prompts.warnings.size(), 2);
     QVERIFY(!QFile::exists(f.path("plot.bmp")));

@@ -188,8 +188,8 @@ Message write_odometry_scans(const FinishedRun& finished, const Folder& folder) 
 }
 
 VectorDrawing figure(const FinishedRun& finished) {
-    return map_figure({finished.summary.source, finished.map, finished.segments, finished.best,
-                       odometry_path(finished)});
+    return map_figure({Folder(finished.summary.source).filename().string(), finished.map,
+                       finished.segments, finished.best, odometry_path(finished)});
 }
 
 void write_map_server(const FinishedRun& finished, const Folder& folder) {
