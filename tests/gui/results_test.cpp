@@ -123,6 +123,37 @@ void RunTest::the_map_is_saved_while_running() {
     QVERIFY(!read_map(f.path("map.txt").toStdString()).empty());
 }
 
+void RunTest::what_is_saved_at_an_earlier_scan_is_asked_about() {
+    Fixture f;
+    f.run_steps(40);
+    f.session.seek(15);
+    QTRY_VERIFY(f.steps() == 15 && f.shows_everything());
+    // Given up.
+    f.trigger("action_save_map");
+    QCOMPARE(f.prompts.saves_asked, 0);
+    QVERIFY(f.prompts.offered.front().contains("15") && f.prompts.offered.back().contains("40"));
+    // As it is now.
+    f.prompts.numbers = {0};
+    f.prompts.saves = {f.path("now.txt")};
+    f.trigger("action_save_map");
+    QCOMPARE(read_map(f.path("now.txt").toStdString()).size(),
+             f.session.snapshot()->best_map.size());
+    QCOMPARE(f.steps(), quint64{15});
+    // As far as it came: the run goes there first.
+    f.prompts.numbers = {1};
+    f.prompts.saves = {f.path("end")};
+    f.trigger("action_save_results");
+    QTRY_VERIFY(QFile::exists(f.path("end/summary.json")));
+    QCOMPARE(f.steps(), quint64{40});
+    QVERIFY(Fixture::read(f.path("end/summary.json")).contains("\"scans\": 40"));
+    QTRY_VERIFY(!f.window->result_actions().writing());
+    // And there nobody asks.
+    f.prompts.offered.clear();
+    f.prompts.saves = {f.path("again.txt")};
+    f.trigger("action_save_map");
+    QVERIFY(f.prompts.offered.isEmpty() && QFile::exists(f.path("again.txt")));
+}
+
 void RunTest::all_results_are_those_of_the_command_line() {
     Fixture f(true, 20);
     f.run_to_end();

@@ -137,9 +137,37 @@ void ResultActions::list_skipped() {
 
 void ResultActions::save_map() {
     if (session_.progress().steps == 0) return;
-    save_moment(moment_of(std::nullopt), has_particles(session_.configuration())
-                                             ? tr("Save best particle's map")
-                                             : tr("Save map"));
+    at_chosen_scan([this] {
+        save_moment(moment_of(std::nullopt), has_particles(session_.configuration())
+                                                 ? tr("Save best particle's map")
+                                                 : tr("Save map"));
+    });
+}
+
+/// Where the run has been further than it stands now the user says which of the two is meant.
+void ResultActions::at_chosen_scan(const std::function<void()>& save) {
+    delete going_;
+    const Progress now = session_.progress();
+    const quint64 furthest = session_.worker()->figures_since(0).size();
+    if (now.state == Progress::State::running || now.steps >= furthest) return save();
+    const std::optional<int> chosen =
+        prompts_.choice(window_in_use(), tr("The run has been further"), tr("What to save:"),
+                        {tr("As it is now, at scan %1").arg(now.steps),
+                         tr("As far as it came, at scan %1").arg(furthest)});
+    if (!chosen) return;
+    if (*chosen == 0) return save();
+    going_ = new QTimer(this);
+    connect(&session_, &Session::leaving, going_, &QObject::deleteLater);
+    connect(going_, &QTimer::timeout, this, [this, save, furthest] {
+        const Progress at = session_.progress();
+        if (at.state == Progress::State::running || !session_.up_to_date()) return;
+        going_->deleteLater();
+        going_->stop();
+        if (at.steps == furthest) save();  // else the user went elsewhere meanwhile
+    });
+    session_.seek(furthest);
+    constexpr int kLookMs = 20;
+    going_->start(kLookMs);
 }
 
 void ResultActions::save_map_of(int particle) {
@@ -201,6 +229,10 @@ bool ResultActions::writing() const {
 
 void ResultActions::save_results() {
     if (!session_.has_source() || session_.progress().steps == 0 || writing()) return;
+    at_chosen_scan([this] { ask_for_results(); });
+}
+
+void ResultActions::ask_for_results() {
     const QString folder = ask_where_to_save(
         prompts_, window_,
         {tr("Save all results: name of a new folder"),
@@ -257,7 +289,7 @@ void ResultActions::end_writing(int number, const QString& folder, const QString
     if (!problem.isEmpty()) {
         emit busy({});
         tell_not_written(prompts_, window_, problem);
-        save_results();
+        ask_for_results();
         return;
     }
     results_folder_.clear();

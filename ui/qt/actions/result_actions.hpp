@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QPointer>
+#include <QTimer>
 #include <functional>
 #include <future>
 
@@ -64,6 +65,8 @@ class ResultActions final : public QObject {
     std::shared_future<ParticleDetails> moment_of(std::optional<std::size_t> particle) const;
     void save_moment(const std::shared_future<ParticleDetails>& moment, const QString& title);
     QWidget* window_in_use() const;
+    void at_chosen_scan(const std::function<void()>& save);
+    void ask_for_results();
     void write_results_to(const QString& folder);
     void end_writing(int number, const QString& folder, const QString& problem,
                      const QStringList& missing);
@@ -76,6 +79,7 @@ class ResultActions final : public QObject {
     QPointer<MapWindow> best_;
     QPointer<MapWindow> odometry_;
     QPointer<MapWindow> particle_;
+    QPointer<QTimer> going_;  ///< to the scan at which something is to be saved
     std::future<void> path_of_particle_;
     std::future<void> skipped_;
     std::future<void> writing_;  ///< valid while results are written

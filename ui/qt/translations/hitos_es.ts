@@ -6671,6 +6671,22 @@
         <source>Writing results…</source>
         <translation>Escribiendo resultados…</translation>
     </message>
+    <message>
+        <source>The run has been further</source>
+        <translation>La ejecución ha llegado más lejos</translation>
+    </message>
+    <message>
+        <source>What to save:</source>
+        <translation>Qué guardar:</translation>
+    </message>
+    <message>
+        <source>As it is now, at scan %1</source>
+        <translation>Como está ahora, en el barrido %1</translation>
+    </message>
+    <message>
+        <source>As far as it came, at scan %1</source>
+        <translation>Hasta donde llegó, en el barrido %1</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::RunControls</name>
