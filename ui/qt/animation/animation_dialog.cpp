@@ -81,6 +81,7 @@ Picture film_frame(const std::vector<FigureOffer>& shown, const QSize& most) {
 }  // namespace
 
 AnimationDialog::AnimationDialog(quint64 scans, QWidget* parent) : QDialog(parent) {
+    setObjectName("animation");
     setWindowTitle(tr("Save animation"));
     auto* column = new QVBoxLayout(this);
     auto* form = new QFormLayout;

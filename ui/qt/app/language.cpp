@@ -16,6 +16,11 @@ constexpr const char* kLanguageKey = "view/language";
 
 }  // namespace
 
+QString spoken_language() {
+    return QCoreApplication::translate("Language", "en",
+                                       "the code of the language that the window speaks");
+}
+
 QString saved_language(UserFiles& files) {
     return files.settings().value(kLanguageKey).toString();
 }

@@ -10,6 +10,9 @@ namespace hitos::window {
 class StatusLine;
 class UserFiles;
 
+/// "en" or "es", as the window speaks.
+QString spoken_language();
+
 /// What the user chose in the menu: "en", "es", or empty, which is the system's.
 QString saved_language(UserFiles& files);
 

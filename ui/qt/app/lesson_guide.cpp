@@ -3,12 +3,13 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QMenu>
-#include <QTextBrowser>
 
 #include "actions/configuration_actions.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "language.hpp"
 #include "look/docks.hpp"
+#include "look/markdown_page.hpp"
 #include "look/prompts.hpp"
 #include "session/run_guard.hpp"
 
@@ -32,7 +33,7 @@ LessonGuide::LessonGuide(QMainWindow& window, QMenu& help, QAction* before,
     auto* menu = new QMenu(tr("&Lessons"), &help);
     menu->setObjectName("menu_lessons");
     help.insertMenu(before, menu);
-    const bool spanish = language() == "es";
+    const bool spanish = spoken_language() == "es";
     for (const Lesson& lesson : all) {
         const std::string& title = spanish ? lesson.title_es : lesson.title_en;
         QAction* action = menu->addAction(
@@ -42,14 +43,10 @@ LessonGuide::LessonGuide(QMainWindow& window, QMenu& help, QAction* before,
     }
 }
 
-QString LessonGuide::language() {
-    return tr("en", "the code of the language that the window speaks");
-}
-
 void LessonGuide::open(const Lesson& lesson) {
-    QString text;
+    const std::filesystem::path page = lesson.page(spoken_language().toStdString());
     try {
-        text = QString::fromStdString(input::read_text(lesson.page(language().toStdString())));
+        input::read_text(page);
     } catch (const Error& error) {
         prompts_.warn(&window_, tr("Lesson %1").arg(lesson.number), words_of(error));
         return;
@@ -57,12 +54,12 @@ void LessonGuide::open(const Lesson& lesson) {
     if (!guard_.may_discard()) return;
     const QString configuration = QString::fromStdString(lesson.configuration.string());
     if (!configuration_.open(configuration, true)) return;
-    show_page(lesson, text);
+    show_page(lesson, QString::fromStdString(page.string()));
 }
 
-void LessonGuide::show_page(const Lesson& lesson, const QString& text) {
+void LessonGuide::show_page(const Lesson& lesson, const QString& path) {
     if (dock_ == nullptr) {
-        page_ = new QTextBrowser;
+        page_ = new MarkdownPage(&window_);
         page_->setObjectName("lesson_page");
         page_->setOpenExternalLinks(true);
         page_->setTabChangesFocus(true);
@@ -72,7 +69,7 @@ void LessonGuide::show_page(const Lesson& lesson, const QString& text) {
     const QString title = tr("Lesson %1").arg(lesson.number);
     dock_->setWindowTitle(title);
     page_->setAccessibleName(title);
-    page_->setMarkdown(text);
+    page_->setSource(QUrl::fromLocalFile(path));
     dock_->show();
     dock_->raise();
 }

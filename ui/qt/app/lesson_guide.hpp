@@ -9,11 +9,11 @@
 class QAction;
 class QDockWidget;
 class QMenu;
-class QTextBrowser;
 
 namespace hitos::window {
 
 class ConfigurationActions;
+class MarkdownPage;
 class Prompts;
 class RunGuard;
 
@@ -29,16 +29,15 @@ class LessonGuide final : public QObject {
                 ConfigurationActions& configuration, const RunGuard& guard, Prompts& prompts);
 
   private:
-    static QString language();
     void open(const Lesson& lesson);
-    void show_page(const Lesson& lesson, const QString& text);
+    void show_page(const Lesson& lesson, const QString& path);
 
     QMainWindow& window_;
     ConfigurationActions& configuration_;
     const RunGuard& guard_;
     Prompts& prompts_;
     QDockWidget* dock_ = nullptr;  ///< null until a lesson was opened
-    QTextBrowser* page_ = nullptr;
+    MarkdownPage* page_ = nullptr;
 };
 
 }  // namespace hitos::window

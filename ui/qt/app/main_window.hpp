@@ -97,7 +97,6 @@ class MainWindow final : public QMainWindow {
     void restore_state();
     void show_about();
     void show_keys();
-    void show_guide();
 
     std::unique_ptr<Ui::MainWindow> ui_;
     Session& session_;

@@ -1,17 +1,15 @@
 // The Help menu.
 
-#include <QDesktopServices>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QTextBrowser>
-#include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "help_guide.hpp"
 #include "hitos/services/results/results.hpp"
-#include "hitos/workbench/shipped_data.hpp"
 #include "lesson_guide.hpp"
 #include "look/icons.hpp"
 #include "look/screen_fit.hpp"
@@ -55,7 +53,9 @@ void show_text(QWidget* parent, const char* name, const QString& title, const QS
 void MainWindow::connect_help() {
     connect(ui_->action_about, &QAction::triggered, this, &MainWindow::show_about);
     connect(ui_->action_keys, &QAction::triggered, this, &MainWindow::show_keys);
-    connect(ui_->action_guide, &QAction::triggered, this, &MainWindow::show_guide);
+    auto* guide = new HelpGuide(*this, files_, prompts_);
+    connect(ui_->action_guide, &QAction::triggered, guide, [guide] { guide->open({}); });
+    connect(ui_->action_explain, &QAction::triggered, guide, &HelpGuide::explain);
     new LessonGuide(*this, *ui_->menu_help, ui_->action_keys, *configuration_, guard_, prompts_);
 }
 
@@ -95,20 +95,12 @@ void MainWindow::show_keys() {
         {"Ctrl+E", tr("study of one parameter")},
         {"Ctrl+T, Ctrl+F", tr("world frame, follow the robot")},
         {"Alt+1 … Alt+9", tr("layers")},
-        {"+, −, F, WASD", tr("zoom, fit and move the view in use")}};
+        {"+, −, F, WASD", tr("zoom, fit and move the view in use")},
+        {"F1, Shift+F1", tr("explain what has the keyboard, list the keys")}};
     QString table = "<table cellspacing='6'>";
     for (const auto& [key, meaning] : keys)
         table += "<tr><td><b>" + key + "</b>&nbsp;&nbsp;</td><td>" + meaning + "</td></tr>";
     show_text(this, "keys", tr("Keyboard"), table + "</table>");
-}
-
-void MainWindow::show_guide() {
-    const QString guide = QString::fromStdString(shipped_file("docs/user-guide.md").string());
-    if (guide.isEmpty()) {
-        prompts_.warn(this, tr("User's guide"), tr("docs/user-guide.md is not installed."));
-        return;
-    }
-    QDesktopServices::openUrl(QUrl::fromLocalFile(guide));
 }
 
 }  // namespace hitos::window

@@ -177,6 +177,9 @@ void take_screenshot(MainWindow& window, Session& session, const CommandLine& li
         dialog.show();
         settle(100);
         write_picture_of(dialog, line);
+    } else if (line.show == "guide") {
+        window.findChild<QAction*>("action_guide")->trigger();
+        write_picture_of(*window.findChild<QDialog*>("guide_window"), line);
     } else if (line.show == "best-map") {
         window.result_actions().view_best();
         show_map(window.result_actions().best_window(), line);

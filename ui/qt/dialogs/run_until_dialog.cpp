@@ -29,6 +29,7 @@ QString key_of(const QObject& widget) {
 
 RunUntilDialog::RunUntilDialog(Session& session, QSettings& settings, QWidget* parent)
     : QDialog(parent), session_(session), settings_(settings) {
+    setObjectName("run_until");
     setWindowTitle(tr("Run until"));
     auto* column = new QVBoxLayout(this);
     hint_ = new QLabel(tr("The run stops at the first of these that is met."), this);

@@ -186,6 +186,7 @@ void WorldWindow::show_state() {
     const bool drives = drive().active();
     tool_.set_active(!drives);
     bar_->setVisible(!drives);
+    setProperty("help", drives ? QVariant("driving") : QVariant());
     check_->setVisible(!drives);
     for (QAction* action : menu_->actions()) action->setEnabled(!drives);
     undo_->setEnabled(!drives && (draft_.can_undo() || !tool_.pending().empty()));
