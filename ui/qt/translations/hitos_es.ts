@@ -2903,6 +2903,11 @@
         <source>The language changes when Hitos starts again.</source>
         <translation>El idioma cambia cuando Hitos se inicia de nuevo.</translation>
     </message>
+    <message>
+        <source>en</source>
+        <comment>the code of the language that the window speaks</comment>
+        <translation>es</translation>
+    </message>
 </context>
 <context>
     <name>Layers</name>
@@ -5436,6 +5441,68 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::GuideWindow</name>
+    <message>
+        <source>User&apos;s guide</source>
+        <translation>Guía del usuario</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Página</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Contenido</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Adelante</translation>
+    </message>
+    <message>
+        <source>Search this page (Ctrl+F)</source>
+        <translation>Buscar en esta página (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Búsqueda</translation>
+    </message>
+    <message>
+        <source>Return goes to the next place, Shift+Return to the one before</source>
+        <translation>Intro va al sitio siguiente, Mayús+Intro al anterior</translation>
+    </message>
+    <message>
+        <source>%1 is not installed.</source>
+        <translation>%1 no está instalado.</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>no se encuentra</translation>
+    </message>
+    <message>
+        <source>found: %1</source>
+        <translation>encontrados: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::HelpGuide</name>
+    <message>
+        <source>User&apos;s guide</source>
+        <translation>Guía del usuario</translation>
+    </message>
+    <message>
+        <source>docs/user-guide.md is not installed.</source>
+        <translation>docs/user-guide.md no está instalado.</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::HintBar</name>
     <message>
         <source>Close</source>
@@ -5641,11 +5708,6 @@
     <message>
         <source>&amp;Lessons</source>
         <translation>&amp;Lecciones</translation>
-    </message>
-    <message>
-        <source>en</source>
-        <comment>the code of the language that the window speaks</comment>
-        <translation>es</translation>
     </message>
     <message>
         <source>Lesson %1</source>
@@ -5937,10 +5999,6 @@
     <message>
         <source>zoom, fit and move the view in use</source>
         <translation>acercar, ajustar y mover la vista en uso</translation>
-    </message>
-    <message>
-        <source>docs/user-guide.md is not installed.</source>
-        <translation>docs/user-guide.md no está instalado.</translation>
     </message>
     <message>
         <source>Study of one parameter…</source>
@@ -6245,6 +6303,14 @@
     <message>
         <source>Hitos was ended from outside after this long run, which was over on %1. With Cancel it stays where it is, for File → Open results. Its results are in %2.</source>
         <translation>Hitos se cerró desde fuera tras esta larga ejecución, que acabó el %1. Con Cancelar se queda donde está, para Archivo → Abrir resultados. Sus resultados están en %2.</translation>
+    </message>
+    <message>
+        <source>Explain what has the keyboard</source>
+        <translation>Explicar lo que tiene el teclado</translation>
+    </message>
+    <message>
+        <source>explain what has the keyboard, list the keys</source>
+        <translation>explicar lo que tiene el teclado, enumerar las teclas</translation>
     </message>
 </context>
 <context>
