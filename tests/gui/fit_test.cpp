@@ -255,6 +255,9 @@ void FitTest::every_window_fits() {
         check_dialog(*f.window->result_actions().odometry_window(), {820, 680}, "map");
         f.trigger("action_compare");
         check_dialog(*f.window->runs().comparison(), {1100, 680}, "compare");
+        f.trigger("action_guide");
+        auto* guide = f.window->findChild<QDialog*>("guide_window");
+        check_dialog(*guide, guide->size(), "guide");
         f.trigger("action_keys");
         f.trigger("action_about");
         for (const char* name : {"keys", "about"}) {

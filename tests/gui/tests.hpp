@@ -159,6 +159,23 @@ class GamepadTest : public QObject {
     void what_a_stick_drove_is_kept_to_the_last_bit();
 };
 
+class GuideTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void init();
+    void it_opens_in_the_windows_language_data();
+    void it_opens_in_the_windows_language();
+    void what_is_searched_is_found_and_marked();
+    void the_contents_go_there_and_follow();
+    void links_are_followed_and_back();
+    void every_place_that_explains_is_there();
+    void f1_explains_what_has_the_keyboard();
+    void in_a_dialog_it_can_be_read();
+    void nothing_is_wider_than_the_page();
+    void its_place_is_remembered();
+};
+
 class RunTest : public QObject {
     Q_OBJECT
 

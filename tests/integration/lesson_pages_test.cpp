@@ -1,4 +1,4 @@
-// The pages of data/lessons: eight of them, in two languages that say the same.
+// Pages in two languages that say the same: the eight lessons, and the user's guide.
 #include <gmock/gmock.h>
 
 #include <sstream>
@@ -12,7 +12,8 @@ namespace {
 /// What both languages of a page must have alike, in its order.
 struct Page {
     std::vector<std::string> headings;  ///< their marks: "##"
-    std::vector<std::string> code;
+    std::vector<std::string> code;      ///< without comments
+    std::vector<std::string> links;     ///< where they and the pictures lead, from the English page
     std::size_t words = 0;
 };
 
@@ -24,9 +25,15 @@ Page page_of(const std::filesystem::path& path) {
         if (line.starts_with("```")) {
             fenced = !fenced;
         } else if (fenced) {
-            page.code.push_back(line);
+            page.code.push_back(line.substr(0, line.find(" #")));
         } else if (line.starts_with("#")) {
             page.headings.push_back(line.substr(0, line.find(' ')));
+        }
+        for (std::size_t at = line.find("]("); !fenced && at != std::string::npos;
+             at = line.find("](", at + 1)) {
+            std::string link = line.substr(at + 2, line.find(')', at) - at - 2);
+            if (link.starts_with("../")) link.erase(0, 3);
+            page.links.push_back(link);
         }
         std::istringstream words(line);
         for (std::string word; words >> word;) ++page.words;
@@ -64,6 +71,18 @@ TEST(LessonPages, AreEightInBothLanguagesWithTheSamePartsAndCommands) {
                                                   language + ".md"));
         }
     }
+}
+
+TEST(GuidePages, AreTheSameInBothLanguagesPartByPart) {
+    const std::filesystem::path docs = std::filesystem::path(HITOS_SOURCE_DIR) / "docs";
+    const Page english = page_of(docs / "user-guide.md");
+    const Page spanish = page_of(docs / "es" / "user-guide.md");
+    EXPECT_GT(english.headings.size(), 15U);
+    EXPECT_EQ(english.headings, spanish.headings);
+    EXPECT_EQ(english.code, spanish.code);
+    EXPECT_THAT(english.links, testing::Contains("pictures/window.png"));
+    EXPECT_EQ(english.links, spanish.links);
+    EXPECT_GT(spanish.words, english.words);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kPadding = 5.0;
 
-QPixmap picture_of(const QTextDocument& document, const QTextFormat& format) {
+QPixmap pixmap_of(const QTextDocument& document, const QTextFormat& format) {
     const QUrl name(format.toImageFormat().name());
     return document.resource(QTextDocument::ImageResource, name).value<QPixmap>();
 }
@@ -50,7 +50,7 @@ MarkdownPage::MarkdownPage(QWidget* parent) : QTextBrowser(parent) {
 
 QSizeF MarkdownPage::intrinsicSize(QTextDocument* document, int /*position*/,
                                    const QTextFormat& format) {
-    const QSizeF size = picture_of(*document, format).size();
+    const QSizeF size = pixmap_of(*document, format).size();
     // In a list there is one indent less.
     const double around = 2.0 * document->documentMargin() + document->indentWidth();
     const double room = std::max(1.0, document->textWidth() - around);
@@ -61,7 +61,7 @@ void MarkdownPage::drawObject(QPainter* painter, const QRectF& place, QTextDocum
                               int /*position*/, const QTextFormat& format) {
     painter->save();
     painter->setRenderHint(QPainter::SmoothPixmapTransform);
-    const QPixmap picture = picture_of(*document, format);
+    const QPixmap picture = pixmap_of(*document, format);
     painter->drawPixmap(place, picture, picture.rect());
     painter->restore();
 }

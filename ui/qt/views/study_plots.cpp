@@ -27,7 +27,7 @@ constexpr int kBottom = 20;
 constexpr double kRoom = 0.06;  // of the axis, at both ends
 
 /// "Map error"
-QString words_of(const Measure& measure) {
+QString axis_words(const Measure& measure) {
     QString words = QCoreApplication::translate("Measure", measure.plot.c_str());
     return words.replace(0, 1, words.left(1).toUpper());
 }
@@ -39,13 +39,13 @@ QString unit_of(const Measure& measure) {
 QString title_words(const Measure& measure) {
     const QString unit = unit_of(measure);
     return StudyPlots::tr("%1: every run, mean and standard deviation")
-        .arg(words_of(measure) + (unit.isEmpty() ? "" : " [" + unit + ']'));
+        .arg(axis_words(measure) + (unit.isEmpty() ? "" : " [" + unit + ']'));
 }
 
 /// "Map error: 0.123 ± 0.011 m"
 QString figure_words(const Measure& measure, const Spread& spread) {
     QString words =
-        words_of(measure) + ": " + QString::fromStdString(measure.rounded(spread.mean, true));
+        axis_words(measure) + ": " + QString::fromStdString(measure.rounded(spread.mean, true));
     if (spread.variance) {
         words += " ± " + QString::fromStdString(measure.rounded(std::sqrt(*spread.variance), true));
     }
