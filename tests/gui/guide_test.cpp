@@ -228,12 +228,12 @@ void GuideTest::links_are_followed_and_back() {
     guide.window->activateWindow();
     QTRY_VERIFY(guide.window->isActiveWindow());
     QTest::keyClick(guide.page, Qt::Key_Left, Qt::AltModifier);
-    QVERIFY(guide.file().endsWith("/docs/user-guide.md"));
+    QTRY_VERIFY(guide.file().endsWith("/docs/user-guide.md"));
     QCOMPARE(guide.heading(), QString("Data source"));
     QCOMPARE(guide.page->verticalScrollBar()->value(), place);
     QVERIFY2(guide.found->text().startsWith("found: "), qPrintable(guide.found->text()));
     QTest::keyClick(guide.page, Qt::Key_Right, Qt::AltModifier);
-    QVERIFY(guide.file().endsWith("/docs/formats.md"));
+    QTRY_VERIFY(guide.file().endsWith("/docs/formats.md"));
     // What leads back to the guide leads to its place there.
     emit guide.page->anchorClicked(QUrl("user-guide.md#measuring"));
     QCOMPARE(guide.heading(), QString("Measuring"));
@@ -258,10 +258,10 @@ void GuideTest::every_place_that_explains_is_there() {
         for (const auto* part : window.findChildren<QWidget*>()) parts.insert(part->objectName());
     };
     f.run_steps(10);
-    f.trigger("action_lesson_1");
     for (const char* action : {"action_keys", "action_about", "action_compare"}) f.trigger(action);
     f.window->open_study();
     f.window->result_actions().view_best();
+    f.trigger("action_lesson_1");
     note(ConfigurationDialog(f.session.configuration(), f.window.get()));
     note(SourceDialog(f.session.configuration().source, f.prompts, {}, f.window.get()));
     note(PictureDialog(f.window->grid_view(), f.window.get()));
@@ -324,7 +324,9 @@ void GuideTest::in_a_dialog_it_can_be_read() {
     const QPointer<GuideWindow> window = Guide(*f.window).window;
     in_dialog<ConfigurationDialog>([&](ConfigurationDialog& form) {
         auto* search = form.findChild<QLineEdit*>("search");
+        form.activateWindow();
         search->setFocus();
+        QTRY_COMPARE(QApplication::focusWidget(), search);
         QTest::keyClick(search, Qt::Key_F1);
         const Guide guide(*f.window);
         QCOMPARE(guide.window, window.data());

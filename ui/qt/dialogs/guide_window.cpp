@@ -57,6 +57,7 @@ GuideWindow::GuideWindow(QSettings& settings, QString language, QWidget* parent)
     page_->setOpenLinks(false);
     contents_->setObjectName("guide_contents");
     contents_->setAccessibleName(tr("Contents"));
+    contents_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* column = new QVBoxLayout(this);
     column->addLayout(make_tools());
     halves_->addWidget(contents_);

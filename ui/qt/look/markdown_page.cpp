@@ -10,6 +10,7 @@
 #include <QTextBlock>
 #include <QTextTable>
 #include <algorithm>
+#include <utility>
 
 #include "theme.hpp"
 
@@ -45,7 +46,7 @@ QStringList anchors_of(const QString& path) {
 
 MarkdownPage::MarkdownPage(QWidget* parent) : QTextBrowser(parent) {
     document()->documentLayout()->registerHandler(QTextFormat::ImageObject, this);
-    connect(this, &QTextBrowser::sourceChanged, this, &MarkdownPage::go);
+    connect(this, &QTextBrowser::sourceChanged, this, &MarkdownPage::complete);
 }
 
 QSizeF MarkdownPage::intrinsicSize(QTextDocument* document, int /*position*/,
@@ -66,20 +67,28 @@ void MarkdownPage::drawObject(QPainter* painter, const QRectF& place, QTextDocum
     painter->restore();
 }
 
-/// The base class has loaded the page and knows no anchors yet.
-void MarkdownPage::go(const QUrl& url) {
-    const QUrl page = source().adjusted(QUrl::RemoveFragment);
-    if (page != dressed_) {
-        dressed_ = page;
+/// While a page is loaded source() is still the one before.
+QVariant MarkdownPage::loadResource(int type, const QUrl& name) {
+    if (type != QTextDocument::MarkdownResource) {
+        return QTextBrowser::loadResource(type, page_.resolved(name));
+    }
+    page_ = name;
+    dressed_ = false;
+    return QTextBrowser::loadResource(type, name);
+}
+
+/// The base class has loaded the page, and did not know its anchors when it went there.
+void MarkdownPage::complete(const QUrl& url) {
+    if (!std::exchange(dressed_, true)) {
         read_headings();
         dress();
     }
-    if (url.hasFragment()) scrollToAnchor(url.fragment());
+    scrollToAnchor(url.fragment());
 }
 
 void MarkdownPage::read_headings() {
     headings_.clear();
-    const QFileInfo file(source().toLocalFile());
+    const QFileInfo file(page_.toLocalFile());
     const QStringList own = anchors_of(file.filePath());
     const QStringList original = anchors_of(file.path() + "/../" + file.fileName());
     for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
@@ -132,9 +141,11 @@ int MarkdownPage::heading_in_sight() const {
     return static_cast<int>(after - headings_.begin()) - 1;
 }
 
-/// The pictures take the new width.
+/// The pictures take the new width, before the base class sees how wide all of it is.
 void MarkdownPage::resizeEvent(QResizeEvent* event) {
+    document()->setTextWidth(viewport()->width());
     document()->markContentsDirty(0, document()->characterCount());
+    document()->size();
     QTextBrowser::resizeEvent(event);
 }
 
@@ -143,7 +154,6 @@ void MarkdownPage::changeEvent(QEvent* event) {
     QTextBrowser::changeEvent(event);
     if (event->type() != QEvent::PaletteChange || !source().isValid()) return;
     const int place = verticalScrollBar()->value();
-    dressed_.clear();
     reload();
     verticalScrollBar()->setValue(place);
 }

@@ -28,6 +28,7 @@ class MarkdownPage final : public QTextBrowser, public QTextObjectInterface {
     /// The index of the heading that the top of the page stands under; -1 before the first.
     int heading_in_sight() const;
 
+    QVariant loadResource(int type, const QUrl& name) override;
     // Pictures: as wide as they are, and smoothly narrower where the page is.
     QSizeF intrinsicSize(QTextDocument* document, int position, const QTextFormat& format) override;
     void drawObject(QPainter* painter, const QRectF& place, QTextDocument* document, int position,
@@ -38,12 +39,13 @@ class MarkdownPage final : public QTextBrowser, public QTextObjectInterface {
     void changeEvent(QEvent* event) override;
 
   private:
-    void go(const QUrl& url);
+    void complete(const QUrl& url);
     void read_headings();
     void dress();
 
     QVector<Heading> headings_;
-    QUrl dressed_;  ///< what the page was dressed as
+    QUrl page_;  ///< the file that was loaded last
+    bool dressed_ = false;
 };
 
 }  // namespace hitos::window
