@@ -179,6 +179,13 @@ void GuideTest::what_is_searched_is_found_and_marked() {
     }
     QTest::keyClick(guide.search, Qt::Key_Return, Qt::ShiftModifier);
     QCOMPARE(guide.found->text(), QString("%1 of %2").arg(now - 1).arg(hits));
+    // What is new is searched from what is in sight.
+    guide.search->clear();
+    guide.contents->setCurrentRow(6);
+    QCOMPARE(guide.heading(), QString("Parameters"));
+    QTest::keyClicks(guide.search, "the ");
+    QVERIFY(guide.in_sight(guide.found->text().section(' ', 0, 0).toInt() - 1));
+    QCOMPARE(guide.heading(), QString("Parameters"));
     guide.search->selectAll();
     QTest::keyClicks(guide.search, "xyzzy");
     QCOMPARE(guide.found->text(), QString("not found"));

@@ -181,9 +181,9 @@ void GuideWindow::mark_heading() {
     contents_->setCurrentRow(page_->heading_in_sight());
 }
 
-/// As it is typed: goes to the first place from here on.
+/// As it is typed: goes to the first place from the one before on, or from what is in sight on.
 void GuideWindow::search() {
-    const int here = page_->textCursor().selectionStart();
+    const int here = hit_ >= 0 ? hits_[hit_] : page_->cursorForPosition(QPoint()).position();
     find_all();
     const auto next = std::ranges::lower_bound(hits_, here);
     if (!hits_.isEmpty()) go_to_hit((next - hits_.begin()) % hits_.size());

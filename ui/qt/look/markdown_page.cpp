@@ -17,7 +17,8 @@
 namespace hitos::window {
 namespace {
 
-constexpr double kPadding = 5.0;
+constexpr double kPadding = 5.0;  // pixels, in the cells of a table
+constexpr double kMargin = 10.0;
 
 QPixmap pixmap_of(const QTextDocument& document, const QTextFormat& format) {
     const QUrl name(format.toImageFormat().name());
@@ -120,6 +121,8 @@ void MarkdownPage::dress() {
         format.setBorderBrush(colours().border);
         format.setBorderCollapse(true);
         format.setCellPadding(kPadding);
+        format.setTopMargin(kMargin);
+        format.setBottomMargin(kMargin);
         table->setFormat(format);
     }
     for (const Heading& heading : headings_) {
@@ -131,6 +134,7 @@ void MarkdownPage::dress() {
         cursor.mergeCharFormat(anchor);
     }
     cursor.endEditBlock();
+    document()->setDocumentMargin(kMargin);
     document()->size();  // lays all of it out: what goes to a place now finds it
 }
 
