@@ -130,6 +130,9 @@ void MarkdownPage::dress() {
         anchor.setAnchor(true);
         anchor.setAnchorNames(heading.anchors);
         cursor.setPosition(heading.position);
+        QTextBlockFormat apart;
+        apart.setTopMargin(2.0 * kMargin);
+        if (heading.level > 1) cursor.mergeBlockFormat(apart);
         cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
         cursor.mergeCharFormat(anchor);
     }
