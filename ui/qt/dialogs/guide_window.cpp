@@ -167,7 +167,7 @@ void GuideWindow::show_headings() {
     const QSignalBlocker quiet(contents_);
     contents_->clear();
     for (const MarkdownPage::Heading& heading : page_->headings()) {
-        constexpr int kIndent = 3;
+        constexpr qsizetype kIndent = 3;
         contents_->addItem(QString(kIndent * std::max(0, heading.level - 2), ' ') + heading.title);
         contents_->item(contents_->count() - 1)->setToolTip(heading.title);
     }
