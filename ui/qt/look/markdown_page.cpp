@@ -151,7 +151,6 @@ int MarkdownPage::heading_in_sight() const {
 /// The pictures take the new width, before the base class sees how wide all of it is.
 void MarkdownPage::resizeEvent(QResizeEvent* event) {
     document()->setTextWidth(viewport()->width());
-    document()->markContentsDirty(0, document()->characterCount());
     document()->size();
     QTextBrowser::resizeEvent(event);
 }
