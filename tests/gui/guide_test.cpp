@@ -16,8 +16,8 @@
 #include "animation/animation_dialog.hpp"
 #include "app/help_guide.hpp"
 #include "dialogs/configuration_dialog.hpp"
+#include "dialogs/export_dialog.hpp"
 #include "dialogs/guide_window.hpp"
-#include "dialogs/picture_dialog.hpp"
 #include "dialogs/run_until_dialog.hpp"
 #include "dialogs/skipped_lines.hpp"
 #include "dialogs/source_dialog.hpp"
@@ -271,7 +271,7 @@ void GuideTest::every_place_that_explains_is_there() {
     f.trigger("action_lesson_1");
     note(ConfigurationDialog(f.session.configuration(), f.window.get()));
     note(SourceDialog(f.session.configuration().source, f.prompts, {}, f.window.get()));
-    note(PictureDialog(f.window->grid_view(), f.window.get()));
+    note(ExportDialog(f.window->grid_view().exportable(), f.files.settings(), f.window.get()));
     note(RunUntilDialog(f.session, f.files.settings(), f.window.get()));
     note(AnimationDialog(10, f.window.get()));
     note(ImportDialog("hall.png", WallSource::picture, f.window.get()));

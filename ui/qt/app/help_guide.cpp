@@ -48,7 +48,7 @@ std::span<const HelpPlace> help_places() {
         {"runs_dock", "comparing-runs"},
         {"compare_window", "comparing-runs"},
         {"StudyDialog", "study-of-one-parameter"},
-        {"ExportDialog", "pictures-and-results"},
+        {"export", "pictures-and-results"},
         {"animation", "pictures-and-results"},
         {"guide_window", "help"},
         {"keys", "help"},

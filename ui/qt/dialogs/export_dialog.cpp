@@ -39,6 +39,7 @@ QDoubleSpinBox* box_of(QWidget* parent, const char* name, double least, double m
 
 ExportDialog::ExportDialog(const Exportable& what, QSettings& settings, QWidget* parent)
     : QDialog(parent), what_(what), settings_(settings) {
+    setObjectName("export");
     setWindowTitle(tr("Save as image: %1").arg(what_.words));
     auto* row = new QHBoxLayout;
     auto* form = new QFormLayout;
