@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include "drawn_scan.hpp"
 #include "hitos/registration/odometry_step.hpp"
 
