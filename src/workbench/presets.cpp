@@ -9,6 +9,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/translatable.hpp"
+#include "hitos/capture/archivo.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 
@@ -66,6 +67,22 @@ const Preset& find_preset(std::string_view word) {
 Configuracion preset_configuration(std::string_view word) {
     return ArchivoConfiguracion::read(
         needed_file(fmt::format("config/{}.cfg", find_preset(word).word)));
+}
+
+std::string_view suited_preset(const std::string& source) {
+    if (is_world_file(source)) return kWorldPreset;
+    try {
+        const LogFormat* format = recording_format(source);
+        if (format == nullptr) format = &open_log(source)->format();
+        if (format->of_robots) return kRobotPreset;
+    } catch (const Error&) {  // whoever opens it is told
+    }
+    return {};
+}
+
+Configuracion suited_configuration(const std::string& source) {
+    const std::string_view preset = suited_preset(source);
+    return preset.empty() ? Configuracion() : preset_configuration(preset);
 }
 
 }  // namespace hitos

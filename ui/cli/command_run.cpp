@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -192,7 +193,8 @@ class LogWatch {
 
 void run(const RunOptions& options) {
     const std::string source = source_named(input_named(options.log, "log"));
-    Configuracion configuration = load(options.configuration, source);
+    const std::string_view suited = suited_preset(options.configuration, source);
+    Configuracion configuration = load(options.configuration, suited);
     configuration.source.file = source;
     options.source.choose(configuration.source);
     check_particle(options.grid_of, configuration);
@@ -284,9 +286,11 @@ void run(const RunOptions& options) {
     }
     files.finish(summary.files.size());
     Report report(options.json);
+    report.say("{}", suited_words(suited));
     tell_summary(summary, options.out, report);
     if (report.is_json()) {
         report.object() = {{"folder", options.out}};
+        if (!suited.empty()) report.object()["suited_preset"] = suited;
         report.object().update(parsed_object(to_json(summary, seconds)));
     }
     bool whole = summary.not_written.empty();

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "commands.hpp"
@@ -56,7 +57,9 @@ int study(StudyArguments options) {
                                             "another day; found standard input, give a file"));
     }
     const std::string source = source_named(options.log);
-    study.configuration = load(options.configuration, source);
+    const std::string_view suited = suited_preset(options.configuration, source);
+    study.configuration = load(options.configuration, suited);
+    fmt::print(stderr, "{}", suited_words(suited));
     study.configuration.source.file = source;
     options.source.choose(study.configuration.source);
     for (const std::string& assignment : options.vary)

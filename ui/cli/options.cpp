@@ -147,14 +147,15 @@ void add_tolerance_option(CLI::App& command, double& tolerance_s) {
 }
 
 void add_configuration_options(CLI::App& command, ConfigurationOptions& options) {
-    CLI::Option* file = command.add_option(
-        "--config", options.file,
-        "Configuration file, - for standard input (default: the thesis's recommended values; for a "
-        "world the preset simulated)");
+    CLI::Option* file =
+        command.add_option("--config", options.file,
+                           "Configuration file, - for standard input (default: as --preset auto)");
     command
         .add_option("--preset", options.preset,
                     "Configuration that comes with Hitos: " + preset_words() +
-                        "; hitos-cli presets says what each is for")
+                        "; hitos-cli presets says what each is for. Or auto, which is the default: "
+                        "for a world simulated, for the recording of a robot recorded, for other "
+                        "logs the thesis's recommended values")
         ->excludes(file);
     command
         .add_option("--set", options.values.assignments,
@@ -231,14 +232,25 @@ int exit_status(const CLI::App& program, const CLI::ParseError& error) {
     return EX_USAGE;
 }
 
-Configuracion load(const ConfigurationOptions& options, const std::string& source) {
+std::string_view suited_preset(const ConfigurationOptions& options, const std::string& source) {
+    const bool chosen = !options.file.empty() || options.preset != kAutoPreset;
+    return chosen ? std::string_view() : hitos::suited_preset(source);
+}
+
+std::string suited_words(std::string_view preset) {
+    if (preset.empty()) return {};
+    return fmt::format("parameters: preset {} ({}); --preset and --config take others\n", preset,
+                       preset == kWorldPreset ? "a world" : "a robot recorded it");
+}
+
+Configuracion load(const ConfigurationOptions& options, std::string_view suited) {
     Configuracion configuration;
-    if (!options.file.empty())
+    if (!options.file.empty()) {
         configuration = ArchivoConfiguracion::read(input_named(options.file, "--config"));
-    if (!options.preset.empty()) {
+    } else if (options.preset != kAutoPreset) {
         configuration = preset_configuration(options.preset);
-    } else if (options.file.empty() && is_world_file(source)) {
-        configuration = preset_configuration(kWorldPreset);
+    } else if (!suited.empty()) {
+        configuration = preset_configuration(suited);
     }
     choose_values(configuration, options.values);
     return configuration;

@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/files/reference_files.hpp"
 #include "hitos/services/results/results.hpp"
 #include "hitos/workbench/configuration_choices.hpp"
+#include "hitos/workbench/presets.hpp"
 
 namespace hitos::cli {
 
@@ -27,7 +29,7 @@ void add_tolerance_option(CLI::App& command, double& tolerance_s);
 /// --config, --preset and those of ValueChoices.
 struct ConfigurationOptions {
     std::string file;
-    std::string preset;
+    std::string preset{kAutoPreset};
     ValueChoices values;
 };
 
@@ -60,8 +62,14 @@ std::string complaint_of_output(const std::string& name);
 /// sysexits.h) for a command line that is none.
 int exit_status(const CLI::App& program, const CLI::ParseError& error);
 
-/// The values of the file or the preset (else the defaults), and the choices over them.
-/// Without file and preset a world has the preset "simulated", a log the defaults.
-Configuracion load(const ConfigurationOptions& options, const std::string& source);
+/// The preset that the source decides, because neither a file nor a preset was given; empty: none.
+std::string_view suited_preset(const ConfigurationOptions& options, const std::string& source);
+
+/// "parameters: preset recorded (…); …\n", of a preset that the source decided; empty for none.
+std::string suited_words(std::string_view preset);
+
+/// The values of the file or the preset, else of the one that the source decides, else the
+/// defaults; and the choices over them.
+Configuracion load(const ConfigurationOptions& options, std::string_view suited);
 
 }  // namespace hitos::cli

@@ -57,7 +57,10 @@ Values written_formats() {
 }
 
 Values preset_values() {
-    return words_of(presets(), &Preset::word, &Preset::purpose);
+    Values values = words_of(presets(), &Preset::word, &Preset::purpose);
+    values.words.insert(values.words.begin(),
+                        {std::string(kAutoPreset), "the one that suits the source"});
+    return values;
 }
 
 Values noise_kinds() {

@@ -187,8 +187,7 @@ std::string world_set_of(const py::object& values) {
 
 Configuracion configuration_from(const py::object& given, const std::string& source) {
     if (py::isinstance<Configuracion>(given)) return py::cast<Configuracion>(given);
-    Configuracion configuration;
-    if (is_world_file(source)) configuration = preset_configuration(kWorldPreset);
+    Configuracion configuration = suited_configuration(source);
     if (given.is_none()) return configuration;
     if (!py::isinstance<py::dict>(given)) {
         refuse_argument("configuration", "a Configuration, a dict or None", given);

@@ -23,8 +23,21 @@ struct Preset {
 /// All of them, the one for a first try at the front.
 std::span<const Preset> presets();
 
-/// What a world has where nobody chooses.
+/// The word that leaves the choice to the source; no preset has it.
+inline constexpr std::string_view kAutoPreset = "auto";
+
+/// What a world has where nobody chooses, and what the recording of a robot has.
 inline constexpr std::string_view kWorldPreset = "simulated";
+inline constexpr std::string_view kRobotPreset = "recorded";
+
+/// The preset of a world file, or of a log or recording whose beginning is of a format that robots
+/// write. Empty where the source is another log, or cannot be read, which whoever opens it is told:
+/// the defaults.
+std::string_view suited_preset(const std::string& source);
+
+/// The parameters of the suited preset, else the defaults; they name no source. Throws FileError
+/// where the preset's file did not come with the program.
+Configuracion suited_configuration(const std::string& source);
 
 /// "simulated, thesis, …", for help texts and messages.
 std::string preset_words();

@@ -37,8 +37,11 @@ bool begins_metadata(std::string_view beginning) {
 template <OpenRecording* Open>
 LogFormat recording(RegistryEntry entry, const char* endings, LogFormat::Begins* begins,
                     bool folders = false) {
-    return {std::move(entry), endings, nothing_claimed, nothing_known,     make_recording_conversor,
-            nullptr,          begins,  open_with<Open>, topics_with<Open>, folders};
+    LogFormat format = {std::move(entry),         endings, nothing_claimed, nothing_known,
+                        make_recording_conversor, nullptr, begins,          open_with<Open>,
+                        topics_with<Open>,        folders};
+    format.of_robots = true;
+    return format;
 }
 
 }  // namespace

@@ -195,10 +195,9 @@ std::vector<Advice> Algoritmo::advice() const {
     if (state_.registration) {  // the preset to try is in use
         for (Advice& reason : advice) reason.preset = {};
     }
-    const bool recording =
-        reader_->report().of_recording ||
-        (log_formats().knows(reader_->format()) && log_formats().find(reader_->format()).of_robots);
-    if (recording && !state_.registration) {
+    const bool of_robot =
+        log_formats().knows(reader_->format()) && log_formats().find(reader_->format()).of_robots;
+    if (of_robot && !state_.registration) {
         advice.insert(
             advice.begin(),
             {HITOS_TEXT("Advice",

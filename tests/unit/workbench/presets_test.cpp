@@ -8,6 +8,7 @@
 #include <string>
 
 #include "hitos/base/error.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
@@ -40,6 +41,34 @@ TEST(Presets, AWordThatIsNoneIsAnsweredWithTheOthers) {
         EXPECT_THAT(error.what(), testing::HasSubstr("'simulatd'"));
         EXPECT_THAT(error.what(), testing::HasSubstr("simulated, thesis"));
     }
+}
+
+TEST(Presets, TheSourceDecidesWhereNobodyChooses) {
+    const std::string root = HITOS_SOURCE_DIR;
+    EXPECT_EQ(suited_preset(find_world("recinto").string()), "simulated");
+    EXPECT_EQ(suited_preset("not/there.toml"), "simulated");
+    for (const char* log :
+         {"data/logs/radish.log.gz", "data/logs/carmen-flaser.log.gz",
+          "data/logs/carmen-rawlaser.log.gz", "data/logs/carmen-robotlaser.log.gz",
+          "tests/unit/capture/two-lasers-cut.bag"}) {
+        EXPECT_EQ(suited_preset(root + '/' + log), "recorded") << log;
+    }
+    for (const char* log : {"data/logs/player-laser.log.gz", "data/logs/player-ranger.log.gz",
+                            "data/logs/normalized.log.gz", "data/bigloop.log.gz", "data/none.log",
+                            "README.md", "data/maps/bigloop.map", "data"}) {
+        EXPECT_EQ(suited_preset(root + '/' + log), "") << log;
+    }
+    EXPECT_EQ(suited_preset(""), "");
+}
+
+TEST(Presets, TheSuitedParametersNameNoSource) {
+    const std::string logs = std::string(HITOS_SOURCE_DIR) + "/data/logs/";
+    const auto text = [](const Configuracion& c) { return ArchivoConfiguracion::to_text(c); };
+    EXPECT_EQ(text(suited_configuration(logs + "radish.log.gz")),
+              text(preset_configuration("recorded")));
+    EXPECT_EQ(text(suited_configuration(logs + "player-laser.log.gz")), text({}));
+    EXPECT_EQ(text(suited_configuration("a.toml")), text(preset_configuration("simulated")));
+    EXPECT_THROW(static_cast<void>(preset_configuration(kAutoPreset)), ConfigError);
 }
 
 std::vector<Advice> advice_of(Configuracion configuration, const std::filesystem::path& source,

@@ -6,6 +6,8 @@
 #include <QStringList>
 #include <algorithm>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
@@ -55,7 +57,9 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
     CLI::Option* config = program.add_option("--config", out.config, "Configuration file");
     program
         .add_option("--preset", out.preset,
-                    "Configuration that comes with Hitos: " + preset_words())
+                    "Configuration that comes with Hitos: " + preset_words() +
+                        ", or auto: the one that suits the log or world, which is the default "
+                        "where you have no init.cfg")
         ->excludes(config);
     program.add_option("--set", out.values.assignments, "Change one parameter; may be repeated")
         ->type_name("KEY=VALUE")
@@ -126,6 +130,14 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
     return std::nullopt;
 }
 
+std::string deciding_source(const CommandLine& line, const UserFiles& files, Init init) {
+    const bool wanted = line.preset == kAutoPreset;
+    if (line.open.empty() || !line.config.empty() || (!line.preset.empty() && !wanted)) return {};
+    if (kind_of(QString::fromStdString(line.open)) != FileKind::source) return {};
+    if (!wanted && init == Init::read && files.has_init()) return {};
+    return source_named(line.open);
+}
+
 Configuracion starting_configuration(const CommandLine& line, const UserFiles& files, Init init) {
     Configuracion configuration;
     const QString named = QString::fromStdString(line.open);
@@ -134,18 +146,18 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
     const bool named_results = kind == FileKind::results;
     if (!line.config.empty()) {
         configuration = ArchivoConfiguracion::read(line.config);
-    } else if (!line.preset.empty()) {
+    } else if (!line.preset.empty() && line.preset != kAutoPreset) {
         configuration = preset_configuration(line.preset);
     } else if (named_configuration) {
         configuration = ArchivoConfiguracion::read(line.open);
     } else if (named_results) {
         const std::filesystem::path folder = line.open;
         configuration = read_results(folder).configuration;  // which says what is wrong with it
+    } else if (const std::string source = deciding_source(line, files, init); !source.empty()) {
+        configuration = suited_configuration(source);
     } else if (init == Init::read && files.has_init()) {
         configuration = ArchivoConfiguracion::read(files.init_path().toStdString());
-    } else if (!named.isEmpty() && is_world_file(source_named(line.open))) {
-        configuration = preset_configuration(kWorldPreset);
-    } else if (named.isEmpty() && !shipped_file(kReadyTour).empty()) {
+    } else if (!shipped_file(kReadyTour).empty()) {
         configuration = preset_configuration(kReadyPreset);
     }
     if (!named.isEmpty() && !named_configuration && !named_results) {
@@ -162,6 +174,21 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
     choose_values(configuration, line.values);
     line.topics.choose(configuration.source);
     return configuration;
+}
+
+bool chosen_by_program(const Configuracion& configuration) {
+    const std::string& source = configuration.source.file;
+    std::vector<Configuracion> choices{Configuracion(), suited_configuration(source)};
+    if (source == shipped_file(kReadyTour).string())
+        choices.push_back(preset_configuration(kReadyPreset));
+    return std::ranges::any_of(choices, [&configuration](Configuracion choice) {
+        const std::string world_set = std::move(choice.source.world_set);
+        choice.source = configuration.source;
+        choice.source.world_set = world_set;
+        choice.run = configuration.run;
+        return ArchivoConfiguracion::to_text(choice) ==
+               ArchivoConfiguracion::to_text(configuration);
+    });
 }
 
 ReferenceFiles starting_references(const CommandLine& line, const Configuracion& configuration) {

@@ -45,10 +45,18 @@ enum class Init { read, ignored };
 /// Reads the arguments. Where they ask for help or are wrong, it prints and gives the exit code.
 std::optional<int> parse(int argc, char** argv, CommandLine& out);
 
-/// The configuration to start with: the named one, else the user's init.cfg, else the defaults;
-/// then the log, else the ready tour; then the single parameters. Throws hitos::Error.
+/// The log or world that decides the parameters because nobody chose any, or --preset auto is asked
+/// for; empty: somebody did. Throws hitos::Error for a bare name that is none.
+std::string deciding_source(const CommandLine& line, const UserFiles& files, Init init);
+
+/// The configuration to start with: the named one, else the user's init.cfg, else what suits the
+/// log; then the log, else the ready tour; then the single parameters. Throws hitos::Error.
 Configuracion starting_configuration(const CommandLine& line, const UserFiles& files,
                                      Init init = Init::read);
+
+/// Whether its parameters, apart from log, seed and threads, are such as Hitos itself takes where
+/// nobody chooses. Throws hitos::Error.
+bool chosen_by_program(const Configuracion& configuration);
 
 /// The references named, each for what it holds; for the ready tour the map that belongs to it.
 /// Throws what by_content() throws.

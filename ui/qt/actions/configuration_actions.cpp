@@ -39,6 +39,21 @@ QString with_beginning(const QString& reason, const std::string& file) {
     return text;
 }
 
+/// Which parameters were taken, and why.
+QString suited_words(std::string_view preset) {
+    if (preset.empty()) return ConfigurationActions::tr("Parameters: the defaults");
+    const QString why =
+        preset == kWorldPreset
+            ? ConfigurationActions::tr("Parameters: %1, because this is a world")
+            : ConfigurationActions::tr("Parameters: %1, because a robot recorded this log");
+    return why.arg(translated("Preset", find_preset(preset).label));
+}
+
+QString sentences(QStringList parts) {
+    parts.removeAll(QString());
+    return parts.join(QStringLiteral(". "));
+}
+
 }  // namespace
 
 ConfigurationActions::ConfigurationActions(Session& session, UserFiles& files, Prompts& prompts,
@@ -109,7 +124,11 @@ void ConfigurationActions::start_or_warn(const CommandLine& line) {
             complaints.emplace_back(tr("The reference is in doubt"), words_of(*doubt));
     });
     note_named(line);
-    if (complaints.empty() && !to_choose) return;
+    if (complaints.empty() && !to_choose) {
+        if (const std::string source = deciding_source(line, files_, Init::read); !source.empty())
+            emit notice(suited_words(suited_preset(source)));
+        return;
+    }
     QTimer::singleShot(0, this, [this, complaints, to_choose, run = line.run] {
         for (const auto& [title, reason] : complaints) prompts_.warn(window_, title, reason);
         if (to_choose) choose_at_start(*to_choose, run);
@@ -169,8 +188,11 @@ void ConfigurationActions::select_source() {
 /// Asks for the source of a configuration in the form, beginning with its own. False where the user
 /// would have none.
 bool ConfigurationActions::choose_source(Configuracion next, bool confirmed) {
-    SourceDialog dialog(next.source, prompts_, files_.folder_to_open("log"), window_);
+    const Configuracion given = next;
+    SourceDialog dialog(given.source, prompts_, files_.folder_to_open("log"), window_);
     while (dialog.exec() == QDialog::Accepted) {
+        next = given;
+        const QString suited = suit(next, dialog.source().file);
         next.source = dialog.source();
         if (!(confirmed || guard_.may_discard())) continue;
         const TourSummary summary = dialog.summary().value_or(SourceInspection{}).tour;
@@ -179,17 +201,37 @@ bool ConfigurationActions::choose_source(Configuracion next, bool confirmed) {
         const QString file = QString::fromStdString(next.source.file);
         files_.note_opened("log", file);
         files_.note_recent(file);
-        emit notice(tr("Source loaded: %1, %2")
-                        .arg(QFileInfo(file).fileName(),
-                             counted_words(summary.report.scans, tr("1 scan"), tr("%1 scans"))));
+        const QString loaded =
+            tr("Source loaded: %1, %2")
+                .arg(QFileInfo(file).fileName(),
+                     counted_words(summary.report.scans, tr("1 scan"), tr("%1 scans")));
+        emit notice(sentences({loaded, suited}));
         return true;
     }
     return false;
 }
 
+/// What another source is decides the parameters, unless the user has chosen them; words of what
+/// was taken.
+QString ConfigurationActions::suit(Configuracion& next, const std::string& file) const {
+    if (file == next.source.file || files_.has_init()) return {};
+    try {
+        if (!chosen_by_program(next)) return {};
+        Configuracion suited = suited_configuration(file);
+        suited.run = next.run;
+        suited.source = next.source;
+        suited.source.world_set.clear();  // if there was any, a preset had brought it
+        next = suited;
+        return suited_words(suited_preset(file));
+    } catch (const FileError&) {  // without the presets' files the parameters stay
+        return {};
+    }
+}
+
 bool ConfigurationActions::use_log(const QString& path) {
     if (!guard_.may_discard()) return false;
     Configuracion next = session_.configuration();
+    const QString suited = suit(next, path.toStdString());
     next.source.file = path.toStdString();
     next.source.format = kAutoFormat;
     const ReadOptions former =
@@ -203,10 +245,10 @@ bool ConfigurationActions::use_log(const QString& path) {
         return false;
     }
     files_.note_recent(path);
-    const QString loaded = tr("Source loaded: %1").arg(QFileInfo(path).fileName());
-    emit notice(former == next.source.read
-                    ? loaded
-                    : tr("%1. How the former one was read is not applied").arg(loaded));
+    const QString otherwise =
+        former == next.source.read ? QString() : tr("How the former one was read is not applied");
+    emit notice(
+        sentences({tr("Source loaded: %1").arg(QFileInfo(path).fileName()), suited, otherwise}));
     return true;
 }
 

@@ -76,6 +76,7 @@ class ConfigurationActions final : public QObject {
     void save_as(const QString& start, const QString& title);
     bool load_file(const QString& path, bool confirmed);
     bool use_log(const QString& path);
+    QString suit(Configuracion& next, const std::string& file) const;
     bool choose_source(Configuracion next, bool confirmed);
     void choose_at_start(const Configuracion& configuration, bool run);
     bool use_reference(const QString& path, FileKind kind);
