@@ -20,6 +20,7 @@
 #include "dialogs/study_dialog.hpp"
 #include "gui_fixture.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
+#include "hitos/workbench/presets.hpp"
 #include "look/parameter_text.hpp"
 #include "tests.hpp"
 #include "workers/log_counter.hpp"
@@ -340,6 +341,98 @@ void ContactTest::the_configuration_can_be_undone_and_redone() {
     QVERIFY(!f.action("action_redo")->isEnabled());  // another way was taken
     f.trigger("action_undo");
     QCOMPARE(particles(), 20);
+}
+
+void ContactTest::the_source_decides_the_parameters_until_the_user_does() {
+    Fixture f(false);
+    ConfigurationActions& actions = f.window->configuration_actions();
+    actions.start_or_warn({});  // the ready tour, with the thesis's preset
+    const auto is = [&f](Configuracion wanted) {
+        const std::string world_set = wanted.source.world_set;
+        wanted.source = f.session.configuration().source;
+        wanted.source.world_set = world_set;
+        wanted.run = f.session.configuration().run;
+        return ArchivoConfiguracion::to_text(wanted) ==
+               ArchivoConfiguracion::to_text(f.session.configuration());
+    };
+    const auto open = [&](const QString& source) { QVERIFY(actions.open(source)); };
+    const QString robots = Fixture::source_file("data/logs/carmen-flaser.log.gz");
+    QVERIFY(is(preset_configuration("thesis")));
+    open(robots);
+    QVERIFY(is(preset_configuration("recorded")));
+    QVERIFY2(f.notice().contains("Recorded tours, because a robot"), qPrintable(f.notice()));
+    QVERIFY(f.window->findChild<HintBar*>("hint")->isHidden());
+    f.trigger("action_undo");
+    QVERIFY(is(preset_configuration("thesis")));
+    f.trigger("action_redo");
+    open(Fixture::source_file("data/worlds/recinto.toml"));
+    QVERIFY(is(preset_configuration("simulated")));
+    QVERIFY2(f.notice().contains("Simulated tours, because"), qPrintable(f.notice()));
+    open(Fixture::source_file("data/logs/player-laser.log.gz"));
+    QVERIFY(is({}));
+    QVERIFY2(f.notice().contains("the defaults"), qPrintable(f.notice()));
+    // Seeds and threads are no choice of parameters, and stay.
+    Configuracion own = f.session.configuration();
+    own.run.seed = 7;
+    f.session.set_configuration(own);
+    open(robots);
+    QVERIFY(is(preset_configuration("recorded")));
+    QCOMPARE(f.session.configuration().run.seed, std::uint64_t{7});
+    // What the user has chosen stays.
+    own.filter.particles = 20;
+    f.session.set_configuration(own);
+    open(robots);
+    QVERIFY(is(own));
+    QVERIFY2(!f.notice().contains("because"), qPrintable(f.notice()));
+    QVERIFY(f.window->findChild<HintBar*>("hint")->isVisible());
+    own = {};
+    own.source.file = Fixture::source_file("data/worlds/recinto.toml").toStdString();
+    own.source.world_set = "laser.sigma=0.02";
+    f.session.set_configuration(own);
+    open(robots);
+    QVERIFY(is(own));
+}
+
+void ContactTest::what_init_cfg_says_stays_whatever_the_source_is() {
+    Fixture f(false);
+    f.write("user/init.cfg", "");  // as good as the defaults, but chosen
+    ConfigurationActions& actions = f.window->configuration_actions();
+    actions.start_or_warn({});
+    const QString robots = Fixture::source_file("data/logs/carmen-flaser.log.gz");
+    QVERIFY(actions.open(robots));
+    QVERIFY(f.session.configuration().filter.motion.model != "registered");
+    QVERIFY(f.window->findChild<HintBar*>("hint")->isVisible());
+    CommandLine line;
+    line.open = robots.toStdString();
+    QVERIFY(starting_configuration(line, f.files).filter.motion.model != "registered");
+    line.preset = "auto";
+    QVERIFY(starting_configuration(line, f.files).filter.motion.model == "registered");
+    line.preset.clear();
+    line.config = f.path("user/init.cfg").toStdString();
+    QVERIFY(starting_configuration(line, f.files).filter.motion.model != "registered");
+}
+
+void ContactTest::what_the_source_decides_at_the_start_is_told() {
+    Fixture f(false);
+    CommandLine line;
+    line.open = Fixture::source_file("data/logs/carmen-flaser.log.gz").toStdString();
+    line.values.assignments = {"filter.particles=5"};
+    f.window->configuration_actions().start_or_warn(line);
+    QVERIFY(f.session.configuration().filter.motion.model == "registered");
+    QCOMPARE(f.session.configuration().filter.particles, 5);
+    QVERIFY2(f.notice().contains("because a robot"), qPrintable(f.notice()));
+    // Another source that is chosen in the form decides anew.
+    line.values.assignments.clear();
+    f.window->configuration_actions().start_or_warn(line);
+    in_dialog<SourceDialog>([](SourceDialog& dialog) {
+        dialog.set_path(Fixture::source_file("data/logs/player-laser.log.gz"));
+        auto* ok = dialog.findChild<QDialogButtonBox*>("buttons")->button(QDialogButtonBox::Ok);
+        QTRY_VERIFY(!verdict_of(dialog).startsWith("Reading"));
+        ok->click();
+    });
+    f.window->configuration_actions().select_source();
+    QVERIFY(f.session.configuration().source.file.ends_with("player-laser.log.gz"));
+    QVERIFY(f.session.configuration().filter.motion.model != "registered");
 }
 
 void ContactTest::a_preset_of_the_users_own_is_in_the_menu() {

@@ -361,6 +361,9 @@ class ContactTest : public QObject {
     void the_studys_paths_are_wide();
     void several_files_can_be_dropped_at_once();
     void the_configuration_can_be_undone_and_redone();
+    void the_source_decides_the_parameters_until_the_user_does();
+    void what_init_cfg_says_stays_whatever_the_source_is();
+    void what_the_source_decides_at_the_start_is_told();
     void a_preset_of_the_users_own_is_in_the_menu();
     void a_first_start_opens_the_noisy_tour();
     void a_first_start_offers_three_ways();

@@ -43,6 +43,44 @@ TEST_F(CommandLine, ARunSaysItsSummaryAsJson) {
     EXPECT_TRUE(missing.at("not_written").empty());
 }
 
+TEST_F(CommandLine, TheSourceDecidesThePresetWhereNobodyChooses) {
+    const std::string few = " --set filter.particles=5 --set filter.algorithm=ekf-slam --out ";
+    const auto results = [&](const std::string& source, const std::string& how) {
+        fs::remove_all(path("out"));
+        EXPECT_EQ(said("run " + source + ' ' + how + few + path("out")).status, 0)
+            << content(path("stderr"));
+        std::string all;
+        for (const char* name : {"config.cfg", "map.txt", "trajectory.tum", "grid_best.png"})
+            all += content(path("out") + '/' + name);
+        return all;
+    };
+    const std::string logs = kSource + "/data/logs/";
+    for (const auto& [source, chosen] :
+         {std::pair(short_log_, std::string("--preset recorded")),
+          std::pair(std::string("corridor"), std::string("--preset simulated")),
+          std::pair(logs + "player-laser.log.gz", "--config " + kSource + "/config/init.cfg")}) {
+        const std::string asked_for = results(source, chosen);
+        EXPECT_EQ(results(source, ""), asked_for) << source;
+        EXPECT_EQ(results(source, "--preset auto"), asked_for) << source;
+    }
+    // What is given is not overridden.
+    EXPECT_NE(results(short_log_, "--config " + config_), results(short_log_, ""));
+}
+
+TEST_F(CommandLine, WhatTheSourceHasDecidedIsTold) {
+    const Outcome robot = said(run("a"));
+    EXPECT_NE(robot.output.find("parameters: preset recorded (a robot recorded it)"),
+              std::string::npos)
+        << robot.output;
+    EXPECT_EQ(object(run("b")).at("suited_preset"), "recorded");
+    EXPECT_FALSE(object(run("c", "--preset recorded")).contains("suited_preset"));
+    EXPECT_EQ(said(run("d", "--config " + config_)).output.find("parameters:"), std::string::npos);
+    const Outcome study = said(
+        fmt::format("study {} --vary filter.particles=5 --runs 1 --out {}", short_log_, path("s")));
+    EXPECT_EQ(study.status, 0) << content(path("stderr"));
+    EXPECT_NE(content(path("stderr")).find("parameters: preset recorded"), std::string::npos);
+}
+
 TEST_F(CommandLine, EveryReportHasItsJson) {
     ASSERT_EQ(said(run("run")).status, 0);
     EXPECT_EQ(object("info " + short_log_).at("scans"), object(run("b")).at("scans"));
@@ -265,7 +303,7 @@ TEST_F(CommandLine, ASeedBelowZeroIsNoGreatOne) {
 
 TEST_F(CommandLine, ColoursAreForTerminalsAlone) {
     // A recording without registration brings a note.
-    const std::string command = cli_ + " " + run("run");
+    const std::string command = cli_ + " " + run("run", "--preset recorded-fastslam1");
     EXPECT_EQ(shell(command).output.find('\033'), std::string::npos);
     if (shell("command -v script").status != 0) GTEST_SKIP() << "without script(1) no terminal";
     const auto on_terminal = [&](const std::string& variables) {

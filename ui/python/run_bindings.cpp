@@ -199,7 +199,7 @@ after them; None where the tour was over.)");
 tour: what hitos.open() gave, or takes. A Tour brings its source.* parameters along; of a name the
 configuration's stand.
 configuration: a Configuration, a dict of parameters over the defaults (for a world, over the preset
-simulated), or None.
+simulated; for what a robot recorded, over recorded), or None.
 progress: called with a Progress some times a second and at the end; False ends the run there.
 out: a folder for the files that `hitos-cli run` writes.
 reference: a map file, reference_trajectory: a TUM file or an N x 4 array of t, x, y, theta (default

@@ -55,7 +55,7 @@ TEST(Presets, TheSourceDecidesWhereNobodyChooses) {
     }
     for (const char* log : {"data/logs/player-laser.log.gz", "data/logs/player-ranger.log.gz",
                             "data/logs/normalized.log.gz", "data/bigloop.log.gz", "data/none.log",
-                            "README.md", "data/maps/bigloop.map", "data"}) {
+                            "README.md", "data/maps/bigloop.map"}) {
         EXPECT_EQ(suited_preset(root + '/' + log), "") << log;
     }
     EXPECT_EQ(suited_preset(""), "");

@@ -5075,12 +5075,24 @@
         <translation>%1 poses</translation>
     </message>
     <message>
-        <source>%1. How the former one was read is not applied</source>
-        <translation>%1. No se aplica cómo se leía la anterior</translation>
-    </message>
-    <message>
         <source>The reference is in doubt</source>
         <translation>La referencia es dudosa</translation>
+    </message>
+    <message>
+        <source>Parameters: the defaults</source>
+        <translation>Parámetros: los predeterminados</translation>
+    </message>
+    <message>
+        <source>Parameters: %1, because this is a world</source>
+        <translation>Parámetros: %1, porque esto es un mundo</translation>
+    </message>
+    <message>
+        <source>Parameters: %1, because a robot recorded this log</source>
+        <translation>Parámetros: %1, porque este registro lo grabó un robot</translation>
+    </message>
+    <message>
+        <source>How the former one was read is not applied</source>
+        <translation>No se aplica cómo se leía la anterior</translation>
     </message>
 </context>
 <context>
