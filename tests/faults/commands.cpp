@@ -28,6 +28,7 @@ std::vector<Command> commands(const Workplace& place) {
     };
     const Words run{"run",
                     tour,
+                    "--replace",
                     "--uncertainty",
                     "--reference-trajectory",
                     place.path("truth.tum"),

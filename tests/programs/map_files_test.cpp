@@ -79,7 +79,7 @@ TEST_F(MapFiles, AreThereOnlyWhereTheyWereAskedFor) {
         file(name, "old");
     file("out/summary.json", "{}");  // of a version that listed no files
     ASSERT_EQ(shell(cli_ + " run " + log_ + " --config " + config_ +
-                    " --set filter.particles=5 --out " + path("out"))
+                    " --set filter.particles=5 --replace --out " + path("out"))
                   .status,
               0);
     for (const char* name : {"distances.csv", "uncertainty.csv", "uncertainty.png", "paths.png"})

@@ -54,7 +54,7 @@ class McapFiles : public test::ProgramTest {
     double ate_m(const std::string& log, const std::string& reference) const {
         const Outcome run =
             shell(cli_ + " run " + log + " --preset recorded --set filter.particles=10 --seed 1" +
-                  " --reference-trajectory " + reference + " --out " + path("run"));
+                  " --reference-trajectory " + reference + " --replace --out " + path("run"));
         EXPECT_EQ(run.status, 0) << run.output;
         const auto summary = nlohmann::json::parse(content(folder_ / "run" / "summary.json"));
         return summary["trajectory_error"]["ate_rmse_m"].get<double>();

@@ -179,7 +179,7 @@ TEST_F(PathMeasures, TellEachRelationAndWhyOneIsNotUsed) {
 
 TEST_F(PathMeasures, AMapBesideExactOdometryIsNotDoubted) {
     const auto said = [this](const std::string& more) {
-        return shell(cli_ + " run corridor --out " + path("run") + " " + more).output;
+        return shell(cli_ + " run corridor --replace --out " + path("run") + " " + more).output;
     };
     // No map is crisper than that of odometry without noise; this one is right to 8 cm.
     EXPECT_THAT(said("--world-set odometry.noise=0"), Not(HasSubstr("do not trust it")));
@@ -356,7 +356,9 @@ TEST_F(PathMeasures, TellOfAReferenceThatIsNotOneOfTheRun) {
 
 TEST_F(PathMeasures, ScansKeepTheirStampsWhateverIsAddedToTheirTimes) {
     const auto stamps = [&](const std::string& more) {
-        EXPECT_EQ(shell(cli_ + " run " + short_log_ + " --out " + path("run") + more).status, 0);
+        EXPECT_EQ(
+            shell(cli_ + " run " + short_log_ + " --replace --out " + path("run") + more).status,
+            0);
         std::vector<double> all;
         for (const char* name : {"trajectory", "trajectory_online", "odometry"}) {
             for (const StampedPose& pose :

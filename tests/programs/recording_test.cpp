@@ -67,9 +67,9 @@ class RecordingTest : public test::ProgramTest {
 
     /// The block `quality` of the run's summary.
     json quality_of(const std::string& log, const std::string& options = "") const {
-        const test::Outcome run = test::shell(cli_ + " run " + log +
-                                              " --preset recorded --set filter.particles=5 --out " +
-                                              path("out") + options);
+        const test::Outcome run = test::shell(
+            cli_ + " run " + log + " --preset recorded --set filter.particles=5 --replace --out " +
+            path("out") + options);
         EXPECT_EQ(run.status, 0) << run.output;
         return json::parse(test::content(folder_ / "out" / "summary.json"))["quality"];
     }

@@ -1,8 +1,12 @@
 // A folder of results is always of one run, whatever happens to the processes that write it; how
 // programs end.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "program.hpp"
 
@@ -12,13 +16,15 @@ namespace {
 using test::content;
 using test::Outcome;
 using test::shell;
+using testing::HasSubstr;
 
 class ResultsFolder : public test::ProgramTest {
   protected:
     /// A run of about a second, pictures and all.
     std::string run(int seed) const {
-        return fmt::format("{} run {} --config {} --set filter.particles=10 --seed {} --out {}",
-                           cli_, log_, config_, seed, path("out"));
+        return fmt::format(
+            "{} run {} --config {} --set filter.particles=10 --seed {} --replace --out {}", cli_,
+            log_, config_, seed, path("out"));
     }
     std::string verify() const { return cli_ + " verify " + path("out"); }
     /// What is in the test's folder beside the results, hidden or not.
@@ -55,6 +61,50 @@ TEST_F(ResultsFolder, IsVerified) {
     EXPECT_EQ(shell(verify()).output, "distances.csv: left over: not of this run\n");
     std::filesystem::remove(path("out/distances.csv"));
     EXPECT_EQ(shell(verify()).status, 0);
+}
+
+TEST_F(ResultsFolder, OfAnotherRunIsKeptUnlessItIsToBeReplaced) {
+    const std::string log =
+        file("tour.log", shell("zcat " + test::kSource + "/data/logs/player-laser.log.gz").output);
+    const auto run = [&](const std::string& source, const std::string& how) {
+        return shell(fmt::format("{} run {} {} --set grid.resolution=0.2 --out {}", cli_, source,
+                                 how, path("out")));
+    };
+    const auto expect_kept = [&](const Outcome& outcome, const std::vector<std::string>& words) {
+        EXPECT_EQ(outcome.status, 1) << outcome.output;
+        for (const std::string& word : words) EXPECT_THAT(outcome.output, HasSubstr(word));
+        EXPECT_THAT(outcome.output, HasSubstr("--replace"));
+        EXPECT_EQ(shell(verify()).status, 0);
+    };
+    const std::string few = "--set filter.particles=5 --seed 3";
+    ASSERT_EQ(run(log, few).status, 0);
+    const std::map<std::string, std::string> former = files("out");
+    // The same run, however its source and what changes no result are written, takes its place.
+    EXPECT_EQ(run(path("./tour.log"), few + " --threads 1 --write svg").status, 0);
+    EXPECT_TRUE(test::fs::exists(path("out/map.svg")));
+    EXPECT_EQ(run(log, few).status, 0);
+    EXPECT_FALSE(test::fs::exists(path("out/map.svg")));
+    expect_kept(run(log, "--set filter.particles=6 --seed 3"),
+                {path("out"), log, ", written 20", "filter.particles 5"});
+    expect_kept(run(log, "--set filter.particles=5 --seed 4"), {"run.seed 3"});
+    expect_kept(run(log, "--preset ekf --seed 4"), {"…"});
+    expect_kept(run("corridor", few), {"another source, " + log});
+    for (const auto& [name, text] : files("out")) {
+        if (name == "summary.json") continue;  // which has times
+        EXPECT_EQ(text, former.at(name)) << name;
+    }
+    EXPECT_EQ(left(), std::vector<std::string>{"tour.log"});
+    EXPECT_EQ(run("corridor", few + " --replace").status, 0);
+    EXPECT_THAT(content(path("out/config.cfg")), HasSubstr("corridor.toml"));
+    // A log that has gone since is still another one, and what cannot be known is not the same.
+    ASSERT_EQ(run(log, few + " --replace").status, 0);
+    test::fs::rename(log, path("moved.log"));
+    expect_kept(run(path("moved.log"), few), {"another source, " + log});
+    test::fs::remove(path("out/config.cfg"));
+    const Outcome unknown = run(path("moved.log"), few);
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_THAT(unknown.output, HasSubstr("cannot be compared"));
+    EXPECT_EQ(run(path("moved.log"), few + " --replace").status, 0);
 }
 
 TEST_F(ResultsFolder, IsOfOneRunAfterEveryKill) {
@@ -164,11 +214,11 @@ TEST_F(ResultsFolder, IsWholeWhereARequestTakesTooLong) {
              ++delay) {
             std::filesystem::remove_all(path("fresh"));
             ASSERT_EQ(shell(run(1)).status, 0);
-            ended =
-                shell(fmt::format("HITOS_STOP_SECONDS=0.01 {} run {} --seed 2 --set "
-                                  "filter.particles=200000 --out {} & sleep {:.2f}; kill -TERM "
-                                  "$!; wait $!; echo status $?",
-                                  cli_, log_, path(out), 0.3 + 0.07 * delay));
+            ended = shell(
+                fmt::format("HITOS_STOP_SECONDS=0.01 {} run {} --seed 2 --set "
+                            "filter.particles=200000 --replace --out {} & sleep {:.2f}; kill -TERM "
+                            "$!; wait $!; echo status $?",
+                            cli_, log_, path(out), 0.3 + 0.07 * delay));
             ASSERT_NE(ended.output.find("status 143"), std::string::npos) << ended.output;
             ASSERT_EQ(shell(verify()).status, 0);
         }
@@ -223,11 +273,12 @@ TEST_F(ResultsFolder, ALogThatChangesMeanwhileGivesTheScansUntilThen) {
         Outcome outcome;
         for (double delay = 0.5; delay < 20.0; delay *= 2.0) {
             folder_.put("tour.log.gz", content(log_));
-            outcome = shell(fmt::format(
-                "{0} run {1} --config {2} --set filter.particles=3000 --seed 2 --out {3} & sleep "
-                "{4}; {5}; wait $!; echo status $?",
-                cli_, path("tour.log.gz"), config_, path("out"), delay,
-                fmt::format(fmt::runtime(change), path("tour.log.gz"))));
+            outcome =
+                shell(fmt::format("{0} run {1} --config {2} --set filter.particles=3000 --seed 2 "
+                                  "--replace --out {3} & sleep "
+                                  "{4}; {5}; wait $!; echo status $?",
+                                  cli_, path("tour.log.gz"), config_, path("out"), delay,
+                                  fmt::format(fmt::runtime(change), path("tour.log.gz"))));
             if (outcome.output.find("status 0") == std::string::npos &&
                 outcome.output.find("there is no such file") == std::string::npos) {
                 break;  // before it was opened

@@ -18,6 +18,7 @@
 
 #include "commands.hpp"
 #include "damage.hpp"
+#include "former_run.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/input_files.hpp"
@@ -52,6 +53,7 @@ struct RunOptions {
     std::optional<std::size_t> grid_of;
     std::string write;
     std::string out;
+    bool replace = false;
     bool json = false;
 };
 
@@ -207,6 +209,7 @@ void run(const RunOptions& options) {
     check_outputs(options, tour);
     const StopByRequest request;  // before there is anything to be cleared
     std::unique_ptr<StagedFolder> folder(new StagedFolder(results_folder(options.out)));
+    if (!options.replace) refuse_another_run(options.out, configuration);
     check_figures_file(options.figures);  // which may be in that folder
 
     LogWatch log(tour);
@@ -364,9 +367,14 @@ void add_run(CLI::App& program) {
                             write_choices());
     command->add_flag("--strict", options->strict,
                       "End with status 2 where a file that a run can do without was not written");
-    command->add_option("--out", options->out, "Folder for the results, made if missing")
+    command
+        ->add_option("--out", options->out,
+                     "Folder for the results, made if missing; one that holds those of a run of "
+                     "another source or with other parameters is refused")
         ->required()
         ->check(&complaint_of_output);
+    command->add_flag("--replace", options->replace,
+                      "Put this run in the place of another one that the folder holds");
     add_report_option(*command, options->json);
     command->callback([options] { run(*options); });
 }

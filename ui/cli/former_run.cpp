@@ -1,0 +1,82 @@
+#include "former_run.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <chrono>
+#include <ctime>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "hitos/base/error.hpp"
+#include "hitos/base/message.hpp"
+#include "hitos/base/parameter.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
+#include "hitos/services/results/kept_run.hpp"
+
+namespace hitos::cli {
+namespace {
+
+/// Of a file, by the clock on the wall; empty where it cannot be asked.
+std::string written_at(const std::filesystem::path& file) {
+    std::error_code problem;
+    const auto time = std::filesystem::last_write_time(file, problem);
+    if (problem) return {};
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(
+        std::chrono::file_clock::to_sys(time).time_since_epoch());
+    return fmt::format(", written {:%Y-%m-%d %H:%M}",
+                       fmt::localtime(static_cast<std::time_t>(seconds.count())));
+}
+
+/// However the paths are written, and whether or not the file is still there.
+bool same_source(const Configuracion& a, const Configuracion& b) {
+    std::error_code ignored;
+    return a.source.file == b.source.file ||
+           std::filesystem::weakly_canonical(a.source.file, ignored) ==
+               std::filesystem::weakly_canonical(b.source.file, ignored);
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& held) {
+    throw FileError(folder.string(),
+                    verbatim(fmt::format("holds the results of {}; choose another folder, or say "
+                                         "--replace to put this run in their place",
+                                         held)));
+}
+
+}  // namespace
+
+void refuse_another_run(const std::filesystem::path& folder, const Configuracion& configuration) {
+    const std::filesystem::path summary = folder / "summary.json";
+    std::error_code ignored;
+    if (!std::filesystem::exists(summary, ignored)) return;
+    const std::string written = written_at(summary);
+    Configuracion former;
+    try {
+        former = ArchivoConfiguracion::read(folder / "config.cfg");
+    } catch (const Error& error) {
+        refuse(folder, fmt::format("a run{} that cannot be compared with this one: {}", written,
+                                   error.what()));
+    }
+    if (!same_source(former, configuration)) {
+        refuse(folder, fmt::format("a run of another source, {}{}", on_one_line(former.source.file),
+                                   written));
+    }
+    constexpr std::size_t kMostNamed = 3;
+    std::vector<std::string> changes;
+    for (const ConfigParameter* parameter : differences(former, configuration)) {
+        if (changes.size() == kMostNamed) {
+            changes.emplace_back("…");
+            break;
+        }
+        changes.push_back(fmt::format("{} {}", parameter->key, parameter->text(former)));
+    }
+    if (changes.empty()) return;
+    refuse(folder, fmt::format("another run of {}{}, with {}", on_one_line(former.source.file),
+                               written, fmt::join(changes, ", ")));
+}
+
+}  // namespace hitos::cli

@@ -1,0 +1,14 @@
+// What stands in the folder that a run is to write into.
+#pragma once
+
+#include <filesystem>
+
+#include "hitos/services/configuration/configuracion.hpp"
+
+namespace hitos::cli {
+
+/// Throws FileError where the folder holds the results of another run: of another source or with
+/// other parameters than the configuration's, threads aside, or of one that cannot be known.
+void refuse_another_run(const std::filesystem::path& folder, const Configuracion& configuration);
+
+}  // namespace hitos::cli
