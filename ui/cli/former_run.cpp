@@ -26,10 +26,12 @@ std::string written_at(const std::filesystem::path& file) {
     std::error_code problem;
     const auto time = std::filesystem::last_write_time(file, problem);
     if (problem) return {};
-    const auto seconds = std::chrono::floor<std::chrono::seconds>(
-        std::chrono::file_clock::to_sys(time).time_since_epoch());
-    return fmt::format(", written {:%Y-%m-%d %H:%M}",
-                       fmt::localtime(static_cast<std::time_t>(seconds.count())));
+    const auto system = std::chrono::file_clock::to_sys(time);
+    const std::time_t seconds =
+        std::chrono::duration_cast<std::chrono::seconds>(system.time_since_epoch()).count();
+    std::tm local{};
+    localtime_r(&seconds, &local);
+    return fmt::format(", written {:%Y-%m-%d %H:%M}", local);
 }
 
 /// However the paths are written, and whether or not the file is still there.
