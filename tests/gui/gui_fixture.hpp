@@ -49,6 +49,7 @@ class ScriptedPrompts final : public Prompts {
     QStringList folders;
     QList<bool> confirms;
     QList<int> numbers;
+    QStringList texts;
     // What was asked.
     QStringList warnings;
     QStringList warning_titles;
@@ -90,6 +91,9 @@ class ScriptedPrompts final : public Prompts {
                               const QStringList& words) override {
         offered = words;
         return numbers.isEmpty() ? std::nullopt : std::optional(numbers.takeFirst());
+    }
+    std::optional<QString> text(QWidget*, const QString&, const QString&) override {
+        return texts.isEmpty() ? std::nullopt : std::optional(texts.takeFirst());
     }
     void warn(QWidget*, const QString& title, const QString& text) override {
         warning_titles << title;

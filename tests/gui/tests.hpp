@@ -260,6 +260,8 @@ class ViewTest : public QObject {
     void a_figure_has_what_is_wished();
     void a_figure_in_pdf_has_its_letters();
     void what_was_wished_is_wished_again();
+    void a_class_sees_one_view_in_large_letters();
+    void a_layout_has_a_name();
     void a_picture_can_be_given_up();
     void the_scale_bar_covers_nothing_of_the_map();
     void a_window_of_its_own_is_saved_too();
@@ -413,6 +415,8 @@ class LessonsTest : public QObject {
 
   private slots:
     void every_lesson_opens_with_its_page_beside_it();
+    void a_page_does_what_it_says_and_leads_to_the_next();
+    void pages_name_menus_that_are_there();
     void a_lesson_does_not_take_a_run_unasked();
     void lessons_speak_spanish();
 };

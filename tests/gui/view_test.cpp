@@ -326,6 +326,54 @@ void ViewTest::what_was_wished_is_wished_again() {
     QVERIFY(next.windowTitle().contains("Plots"));
 }
 
+void ViewTest::a_class_sees_one_view_in_large_letters() {
+    Fixture f;
+    f.run_steps(20);
+    f.trigger("action_plots_dock");
+    QVERIFY(f.window->plots().isVisible());
+    const double letters = QApplication::font().pointSizeF();
+    const int height = f.window->grid_view().height();
+    f.trigger("action_presenting");
+    QVERIFY(QApplication::font().pointSizeF() > 1.3 * letters);
+    QVERIFY(f.window->grid_view().font().pointSizeF() > 1.3 * letters);
+    QVERIFY(!f.window->plots().isVisible());
+    QVERIFY(f.window->grid_view().isVisible() != f.window->scan_view().isVisible());
+    QTRY_VERIFY(f.window->grid_view().height() >= height);
+    f.trigger("action_presenting");
+    QCOMPARE(QApplication::font().pointSizeF(), letters);
+    QVERIFY(f.window->plots().isVisible());
+    QVERIFY(f.window->grid_view().isVisible() && f.window->scan_view().isVisible());
+    QVERIFY(f.action("action_summary")->isChecked());
+}
+
+void ViewTest::a_layout_has_a_name() {
+    Fixture f;
+    auto* menu = f.window->findChild<QMenu*>("menu_layouts");
+    const auto entry = [menu](const QString& name) {
+        emit menu->aboutToShow();
+        return menu->findChild<QAction*>(name);
+    };
+    f.trigger("action_plots_dock");
+    f.action("action_legend")->setChecked(false);
+    f.prompts.texts = {"Plots / mine"};
+    entry("keep_layout")->trigger();
+    f.trigger("action_plots_dock");
+    f.action("action_legend")->setChecked(true);
+    QVERIFY(!f.window->plots().isVisible());
+    QVERIFY(entry("action_layout_Plots - mine") != nullptr);
+    entry("action_layout_Plots - mine")->trigger();
+    QVERIFY(f.window->plots().isVisible());
+    QVERIFY(!f.action("action_legend")->isChecked());
+    // Another one of that name asks; one that is forgotten is gone.
+    f.prompts.texts = {"Plots - mine"};
+    f.prompts.confirms = {false};
+    entry("keep_layout")->trigger();
+    QVERIFY(f.prompts.confirmed_texts.back().contains("Plots - mine"));
+    f.prompts.numbers = {0};
+    entry("forget_layout")->trigger();
+    QVERIFY(entry("action_layout_Plots - mine") == nullptr);
+}
+
 void ViewTest::a_picture_can_be_given_up() {
     Fixture f;
     f.run_steps(5);

@@ -18,7 +18,8 @@ class Prompts;
 class RunGuard;
 
 /// A menu of the lessons. A lesson opens its world with its configuration, and its page, in the
-/// language of the window, in a dock beside the views. The configuration before can be had back by
+/// language of the window, in a dock beside the views, with links to the lessons before and after;
+/// what the page says to choose is a link that does it. The configuration before can be had back by
 /// Undo; a long run is not discarded without a question.
 class LessonGuide final : public QObject {
     Q_OBJECT
@@ -31,8 +32,12 @@ class LessonGuide final : public QObject {
   private:
     void open(const Lesson& lesson);
     void show_page(const Lesson& lesson, const QString& path);
+    QString title_of(const Lesson& lesson) const;
+    QString with_links(const QString& page, int number) const;
+    void follow(const QUrl& link);
 
     QMainWindow& window_;
+    std::vector<Lesson> lessons_;
     ConfigurationActions& configuration_;
     const RunGuard& guard_;
     Prompts& prompts_;

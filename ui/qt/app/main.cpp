@@ -64,6 +64,9 @@ class NobodyThere final : public Prompts {
                               const QStringList&) override {
         return std::nullopt;
     }
+    std::optional<QString> text(QWidget*, const QString&, const QString&) override {
+        return std::nullopt;
+    }
     void warn(QWidget*, const QString& title, const QString& text) override {
         fmt::print(stderr, "hitos: {}: {}\n", title.toStdString(), text.toStdString());
         warned_ = true;

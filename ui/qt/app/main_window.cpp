@@ -19,6 +19,7 @@
 #include "dialogs/study_dialog.hpp"
 #include "inspect/inspection.hpp"
 #include "language.hpp"
+#include "layouts.hpp"
 #include "look/docks.hpp"
 #include "look/icons.hpp"
 #include "look/parameter_text.hpp"
@@ -109,6 +110,9 @@ void MainWindow::make_parts() {
                              {{{ui_->scan_panel, ui_->scan_panel_title, ui_->scan_view},
                                {ui_->grid_panel, ui_->grid_panel_title, ui_->grid_view}}},
                              ui_->action_alone, ui_->action_stacked);
+    layouts_ = new Layouts(
+        *this, *ui_->menu_layouts, {ui_->action_presenting, ui_->action_alone, ui_->action_summary},
+        files_.settings(), prompts_, {[this] { save_layout(); }, [this] { restore_layout(); }});
     fit_to_screen(*this);
     name_what_runs();
 }
@@ -410,8 +414,13 @@ void MainWindow::leave() {
 }
 
 void MainWindow::save_state() {
+    layouts_->end_presenting();
+    files_.settings().setValue("window/geometry", saveGeometry());
+    save_layout();
+}
+
+void MainWindow::save_layout() {
     QSettings& settings = files_.settings();
-    settings.setValue("window/geometry", saveGeometry());
     settings.setValue("window/state", save_docks(*this));
     panels_->save(settings);
     settings.setValue("window/world_frame", ui_->action_world_frame->isChecked());
@@ -420,8 +429,13 @@ void MainWindow::save_state() {
 }
 
 void MainWindow::restore_state() {
-    QSettings& settings = files_.settings();
+    const QSettings& settings = files_.settings();
     if (restoreGeometry(settings.value("window/geometry").toByteArray())) keep_on_screen(*this);
+    restore_layout();
+}
+
+void MainWindow::restore_layout() {
+    const QSettings& settings = files_.settings();
     restore_docks(*this, settings.value("window/state").toByteArray());
     panels_->restore(settings);
     ui_->action_world_frame->setChecked(settings.value("window/world_frame", false).toBool());

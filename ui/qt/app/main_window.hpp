@@ -18,6 +18,7 @@ class ConfigurationActions;
 class FirstLook;
 class GridView;
 class Inspection;
+class Layouts;
 class LogCounter;
 class MeasureTool;
 class MeasurementTable;
@@ -94,6 +95,8 @@ class MainWindow final : public QMainWindow {
     bool may_close_now();
     void restyle();
     void save_state();
+    void save_layout();
+    void restore_layout();
     void restore_state();
     void show_about();
     void show_keys();
@@ -105,6 +108,7 @@ class MainWindow final : public QMainWindow {
     RunGuard guard_;
     ConfigurationActions* configuration_ = nullptr;
     ResultActions* results_ = nullptr;
+    Layouts* layouts_ = nullptr;
     ViewPanels* panels_ = nullptr;
     ViewSettings* view_settings_ = nullptr;
     ReferenceMeter* meter_ = nullptr;

@@ -75,7 +75,9 @@ QVariant MarkdownPage::loadResource(int type, const QUrl& name) {
     }
     page_ = name;
     dressed_ = false;
-    return QTextBrowser::loadResource(type, name);
+    QVariant content = QTextBrowser::loadResource(type, name);
+    if (!rewrite_) return content;
+    return rewrite_(QString::fromUtf8(content.toByteArray())).toUtf8();
 }
 
 /// The base class has loaded the page, and did not know its anchors when it went there.

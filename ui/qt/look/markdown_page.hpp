@@ -4,6 +4,8 @@
 #include <QAbstractTextDocumentLayout>
 #include <QTextBrowser>
 #include <QVector>
+#include <functional>
+#include <utility>
 
 namespace hitos::window {
 
@@ -25,6 +27,10 @@ class MarkdownPage final : public QTextBrowser, public QTextObjectInterface {
 
     explicit MarkdownPage(QWidget* parent);
     const QVector<Heading>& headings() const { return headings_; }
+    /// Changes the text of each page before it is shown.
+    void set_rewriting(std::function<QString(const QString&)> rewrite) {
+        rewrite_ = std::move(rewrite);
+    }
     /// The index of the heading that the top of the page stands under; -1 before the first.
     int heading_in_sight() const;
 
@@ -44,6 +50,7 @@ class MarkdownPage final : public QTextBrowser, public QTextObjectInterface {
     void dress();
 
     QVector<Heading> headings_;
+    std::function<QString(const QString&)> rewrite_;
     QUrl page_;  ///< the file that was loaded last
     bool dressed_ = false;
 };

@@ -126,6 +126,13 @@ std::optional<int> QtPrompts::choice(QWidget* parent, const QString& title, cons
     return accepted ? std::optional(static_cast<int>(words.indexOf(word))) : std::nullopt;
 }
 
+std::optional<QString> QtPrompts::text(QWidget* parent, const QString& title, const QString& text) {
+    bool accepted = false;
+    const QString written =
+        QInputDialog::getText(parent, title, text, QLineEdit::Normal, {}, &accepted);
+    return accepted ? std::optional(written) : std::nullopt;
+}
+
 void QtPrompts::warn(QWidget* parent, const QString& title, const QString& text) {
     QMessageBox::warning(parent, title, text);
 }

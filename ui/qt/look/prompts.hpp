@@ -45,6 +45,9 @@ class Prompts {
     /// Which of the words, by its place; nothing where the user cancelled.
     virtual std::optional<int> choice(QWidget* parent, const QString& title, const QString& text,
                                       const QStringList& words) = 0;
+    /// A word or two; nothing where the user cancelled.
+    virtual std::optional<QString> text(QWidget* parent, const QString& title,
+                                        const QString& text) = 0;
     virtual void warn(QWidget* parent, const QString& title, const QString& text) = 0;
 };
 
@@ -59,6 +62,8 @@ class QtPrompts final : public Prompts {
                               int greatest) override;
     std::optional<int> choice(QWidget* parent, const QString& title, const QString& text,
                               const QStringList& words) override;
+    std::optional<QString> text(QWidget* parent, const QString& title,
+                                const QString& text) override;
     void warn(QWidget* parent, const QString& title, const QString& text) override;
 };
 

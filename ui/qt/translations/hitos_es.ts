@@ -5705,6 +5705,37 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::Layouts</name>
+    <message>
+        <source>Keep this layout…</source>
+        <translation>Conservar esta disposición…</translation>
+    </message>
+    <message>
+        <source>Forget a layout…</source>
+        <translation>Olvidar una disposición…</translation>
+    </message>
+    <message>
+        <source>Layouts</source>
+        <translation>Disposiciones</translation>
+    </message>
+    <message>
+        <source>Layout to forget:</source>
+        <translation>Disposición que se olvida:</translation>
+    </message>
+    <message>
+        <source>Name of this layout:</source>
+        <translation>Nombre de esta disposición:</translation>
+    </message>
+    <message>
+        <source>Replace the layout %1?</source>
+        <translation>¿Reemplazar la disposición %1?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::Legend</name>
     <message>
         <source>More…</source>
@@ -5724,6 +5755,22 @@
     <message>
         <source>Lesson %1</source>
         <translation>Lección %1</translation>
+    </message>
+    <message>
+        <source>Lesson %1: %2</source>
+        <translation>Lección %1: %2</translation>
+    </message>
+    <message>
+        <source>Before: %1</source>
+        <translation>Antes: %1</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Siguiente: %1</translation>
+    </message>
+    <message>
+        <source>Not possible at this moment</source>
+        <translation>No es posible en este momento</translation>
     </message>
 </context>
 <context>
@@ -6323,6 +6370,18 @@
     <message>
         <source>explain what has the keyboard, list the keys</source>
         <translation>explicar lo que tiene el teclado, enumerar las teclas</translation>
+    </message>
+    <message>
+        <source>Layouts</source>
+        <translation>Disposiciones</translation>
+    </message>
+    <message>
+        <source>Presenter mode</source>
+        <translation>Modo de presentación</translation>
+    </message>
+    <message>
+        <source>Large letters and one view, for a classroom</source>
+        <translation>Letras grandes y una vista, para una clase</translation>
     </message>
 </context>
 <context>
