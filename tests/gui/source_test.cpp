@@ -11,6 +11,7 @@
 #include <QMimeData>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QTreeWidget>
 
 #include "actions/command_line.hpp"
 #include "dialogs/source_dialog.hpp"
@@ -210,10 +211,34 @@ void SourceTest::topics_are_listed_to_choose_from() {
         QVERIFY2(verdict(dialog).contains("several lasers"), qPrintable(verdict(dialog)));
         QCOMPARE(dialog.findChild<QLabel*>("verdict")->property("role").toString(), "warning");
         QVERIFY(!ok(dialog)->isEnabled());
-        const QString lines = dialog.findChild<QPlainTextEdit*>("lines")->toPlainText();
-        QVERIFY2(lines.contains("/scan_front  sensor_msgs/LaserScan  9\n"), qPrintable(lines));
         QCOMPARE(dialog.findChild<QLabel*>("lines_label")->text(), "Topics");
         auto* topic = dialog.findChild<QLineEdit*>("scan_topic");
+        auto* list = dialog.findChild<QTreeWidget*>("topics");
+        QVERIFY(list->isVisible() && !dialog.findChild<QWidget*>("lines")->isVisible());
+        const auto row = [list](const QString& name) {
+            return list->findItems(name, Qt::MatchExactly).front();
+        };
+        QTreeWidgetItem* front = row("/scan_front");
+        QCOMPARE(front->text(2), "sensor_msgs/LaserScan");
+        QCOMPARE(front->text(3), "9");
+        QVERIFY(!front->text(4).isEmpty());  // its frame, which the transforms place
+        QVERIFY(!list->findItems(front->text(4), Qt::MatchExactly | Qt::MatchRecursive).isEmpty());
+        QCOMPARE(front->checkState(0), Qt::Unchecked);
+        // A tick reads it at once; the other laser beside it, too.
+        front->setCheckState(0, Qt::Checked);
+        QCOMPARE(topic->text(), "/scan_front");
+        wait_for_check(dialog);
+        QVERIFY2(verdict(dialog).contains("9 scans"), qPrintable(verdict(dialog)));
+        QCOMPARE(row("/scan_front")->checkState(0), Qt::Checked);
+        row("/scan_rear")->setCheckState(0, Qt::Checked);
+        QCOMPARE(topic->text(), "/scan_rear, /scan_front");  // as they are listed
+        wait_for_check(dialog);
+        QVERIFY(ok(dialog)->isEnabled());
+        // One odometry gives way to another, and a topic that gives nothing has no box.
+        row("/tf")->setCheckState(0, Qt::Checked);
+        QCOMPARE(dialog.findChild<QLineEdit*>("odom_topic")->text(), "tf");
+        wait_for_check(dialog);
+        QCOMPARE(row("/odom")->checkState(0), Qt::Unchecked);
         const QAbstractItemModel& offered = *topic->completer()->model();
         QCOMPARE(offered.rowCount(), 3);
         topic->setText(offered.index(0, 0).data().toString());

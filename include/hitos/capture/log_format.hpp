@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hitos/base/message.hpp"
@@ -23,11 +24,18 @@ struct ReadOptions;
 /// is none that the format knows.
 enum class LineKind { scan, odometry, both, other, damaged };
 
+/// What a topic gives a tour.
+enum class TopicUse { none, scans, odometry, transforms };
+
 /// A topic of a ROS recording, as it names itself: any bytes.
 struct RecordedTopic {
     std::string name;
     std::string type;  ///< by ROS 1's names: "sensor_msgs/LaserScan"
     std::uint64_t messages = 0;
+    TopicUse use = TopicUse::none;
+    std::string frame;  ///< of its first scan or odometry; empty where it has none
+    /// Of transforms: each frame, and the one that it is placed in.
+    std::vector<std::pair<std::string, std::string>> frames;
 };
 
 /// One format: of text, or of recordings that know how to open themselves. Lines of text come

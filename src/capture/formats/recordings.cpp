@@ -1,4 +1,6 @@
 // ROS recordings: bags, MCAP, rosbag2's SQLite files and its folders.
+#include <map>
+
 #include "formats.hpp"
 #include "hitos/base/error.hpp"
 #include "recordings/recording.hpp"
@@ -15,9 +17,29 @@ std::unique_ptr<Fuente> open_with(const std::filesystem::path& path, const LogFo
 
 template <OpenRecording* Open>
 std::vector<RecordedTopic> topics_with(const std::filesystem::path& path) {
+    const RecordingSurvey survey = survey_recording(path, Open);
+    const auto frame_in = [](const std::map<std::string, std::string>& frames,
+                             const std::string& topic) {
+        const auto found = frames.find(topic);
+        return found == frames.end() ? std::string() : found->second;
+    };
     std::vector<RecordedTopic> topics;
-    for (const Topic& topic : survey_recording(path, Open).topics) {
-        topics.push_back({topic.name, topic.type, topic.messages});
+    for (const Topic& topic : survey.topics) {
+        RecordedTopic& told = topics.emplace_back();
+        told.name = topic.name;
+        told.type = topic.type;
+        told.messages = topic.messages;
+        if (is_laser(topic)) {
+            told.use = TopicUse::scans;
+            told.frame = frame_in(survey.laser_frames, topic.name);
+        } else if (is_odometry(topic)) {
+            told.use = TopicUse::odometry;
+            told.frame = frame_in(survey.robot_frames, topic.name);
+        } else if (is_transforms(topic)) {
+            told.use = TopicUse::transforms;
+            const auto found = survey.frames.find(topic.name);
+            if (found != survey.frames.end()) told.frames = found->second.frames.links();
+        }
     }
     return topics;
 }

@@ -87,6 +87,12 @@ std::vector<std::pair<std::string, Transform>> FrameTree::upwards(std::string_vi
     return chain;
 }
 
+std::vector<std::pair<std::string, std::string>> FrameTree::links() const {
+    std::vector<std::pair<std::string, std::string>> pairs;
+    for (const auto& [frame, link] : links_) pairs.emplace_back(frame, link.parent);
+    return pairs;
+}
+
 std::optional<Transform> FrameTree::between(std::string_view a, std::string_view b) const {
     if (a == b) return Transform{};
     const auto above_a = upwards(a);

@@ -32,6 +32,9 @@ class FrameTree {
     /// The frames whose parent is called odom, or ends so, with these.
     std::vector<std::pair<std::string, std::string>> below_odometry() const;
 
+    /// Each frame with its parent, by their names.
+    std::vector<std::pair<std::string, std::string>> links() const;
+
     bool empty() const { return links_.empty(); }
     bool knows(std::string_view frame) const { return links_.find(frame) != links_.end(); }
     /// a_b: from frame b's coordinates to those of frame a; nothing where no chain joins them on

@@ -1,5 +1,6 @@
 #include "source_dialog.hpp"
 
+#include <QBoxLayout>
 #include <QCheckBox>
 #include <QCompleter>
 #include <QDragEnterEvent>
@@ -19,6 +20,7 @@
 #include "look/words_of.hpp"
 #include "session/background.hpp"
 #include "source_reading.hpp"
+#include "topic_list.hpp"
 #include "ui_source_dialog.h"
 
 namespace hitos::window {
@@ -118,9 +120,14 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
     ui_->path->setText(QString::fromStdString(source_.file));
     ui_->scan_topic->setText(QString::fromStdString(source_.read.scan_topic));
     ui_->odom_topic->setText(QString::fromStdString(source_.read.odom_topic));
-    show_topics(needs_topics(source_.file));
     how_read_ = new SourceReading(source_, this);
     ui_->reading_place->addWidget(how_read_);
+    topics_ = new TopicList(this);
+    topics_->setObjectName("topics");
+    topics_->hide();
+    auto* column = static_cast<QBoxLayout*>(layout());
+    column->insertWidget(column->indexOf(ui_->lines), topics_, 1);
+    show_topics(needs_topics(source_.file));
     scroll_down_only(*ui_->verdict_area);
     how_read_->hide();
     connect_fields();
@@ -145,6 +152,11 @@ void SourceDialog::connect_fields() {
     });
     connect(ui_->scan_topic, &QLineEdit::editingFinished, this, &SourceDialog::check_reading);
     connect(ui_->odom_topic, &QLineEdit::editingFinished, this, &SourceDialog::check_reading);
+    connect(topics_, &TopicList::chosen, this, [this](const QString& scans, const QString& odom) {
+        ui_->scan_topic->setText(scans);
+        ui_->odom_topic->setText(odom);
+        check_reading();
+    });
     connect(ui_->type, &QComboBox::currentIndexChanged, this, &SourceDialog::begin_check);
     connect(ui_->browse, &QPushButton::clicked, this, &SourceDialog::browse);
     connect(ui_->buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -183,6 +195,9 @@ void SourceDialog::show_topics(bool shown) {
                                                            ui_->odom_topic_label, ui_->odom_topic})
         widget->setVisible(shown);
     ui_->lines_label->setText(shown ? tr("Topics") : tr("First lines"));
+    if (shown) return;
+    topics_->hide();
+    ui_->lines->show();
 }
 
 void SourceDialog::set_path(const QString& path) {
@@ -256,9 +271,16 @@ void SourceDialog::end_check(const Stop& stop, const std::optional<SourceInspect
     }
     show_lines(summary->first_lines);
     offer_topics(summary->topics);
+    const bool listed = !summary->topics.empty();
+    topics_->setVisible(listed);
+    ui_->lines->setVisible(!listed);
+    if (listed) {
+        topics_->show_topics(summary->topics, ui_->scan_topic->text().trimmed(),
+                             ui_->odom_topic->text().trimmed());
+    }
     if (!summary->choice.empty()) {
         show_verdict(tr("The recording has several lasers or odometries: write above which ones to "
-                        "use. Its topics are below, with their messages."),
+                        "use, or tick them below."),
                      "warning");
         emit checked(false);
         return;

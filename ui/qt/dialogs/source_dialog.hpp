@@ -16,6 +16,7 @@
 namespace hitos::window {
 
 class SourceReading;
+class TopicList;
 
 namespace Ui {
 class SourceDialog;
@@ -75,6 +76,7 @@ class SourceDialog final : public QDialog {
     std::unique_ptr<Ui::SourceDialog> ui_;
     Prompts& prompts_;
     QString folder_;
+    TopicList* topics_ = nullptr;
     SourceReading* how_read_ = nullptr;
     SourceParams source_;
     SourceParams checked_;  ///< of the newest check
