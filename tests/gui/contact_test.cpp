@@ -11,6 +11,7 @@
 #include <QProcess>
 #include <QPushButton>
 #include <cmath>
+#include <filesystem>
 
 #include "actions/command_line.hpp"
 #include "app/hint_bar.hpp"
@@ -391,6 +392,50 @@ void ContactTest::the_source_decides_the_parameters_until_the_user_does() {
     f.session.set_configuration(own);
     open(robots);
     QVERIFY(is(own));
+}
+
+void ContactTest::who_chose_is_remembered_and_not_guessed() {
+    const QString robots = Fixture::source_file("data/logs/carmen-flaser.log.gz");
+    const QString world = Fixture::source_file("data/worlds/corridor.toml");
+    Fixture f(false);
+    ConfigurationActions& actions = f.window->configuration_actions();
+    const auto registered = [&f] {
+        return f.session.configuration().filter.motion.model == "registered";
+    };
+    // The preset that Hitos would take, taken by the user: it stays.
+    actions.start_or_warn({});
+    f.prompts.confirms = {true};
+    actions.use_preset("recorded");
+    QVERIFY(actions.open(world));
+    QVERIFY(registered());
+    CommandLine line;
+    line.open = robots.toStdString();
+    line.preset = "recorded";
+    actions.start_or_warn(line);
+    QVERIFY(actions.open(world));
+    QVERIFY(registered());
+    // A world chosen in the form has no values that a preset brought for another one.
+    actions.start_or_warn({});
+    QVERIFY(!f.session.configuration().source.world_set.empty());
+    in_dialog<SourceDialog>([world](SourceDialog& dialog) {
+        dialog.set_path(world);
+        auto* ok = dialog.findChild<QDialogButtonBox*>("buttons")->button(QDialogButtonBox::Ok);
+        QTRY_VERIFY(ok->isEnabled());
+        ok->click();
+    });
+    actions.select_source();
+    QCOMPARE(f.session.configuration().source.world_set, std::string());
+    QVERIFY(actions.open(robots));
+    QVERIFY(registered());
+    // A log whose name is no UTF-8 is as good as any other.
+    const std::string odd = f.path("t").toStdString() + "\xe4st.log.gz";
+    std::filesystem::copy_file(robots.toStdString(), odd);
+    line = {};
+    line.open = odd;
+    actions.start_or_warn(line);
+    QVERIFY(registered());
+    QVERIFY(actions.open(world));
+    QVERIFY(!registered());
 }
 
 void ContactTest::what_init_cfg_says_stays_whatever_the_source_is() {

@@ -154,6 +154,21 @@ void RunTest::what_is_saved_at_an_earlier_scan_is_asked_about() {
     QVERIFY(f.prompts.offered.isEmpty() && QFile::exists(f.path("again.txt")));
 }
 
+void RunTest::a_run_that_was_over_is_saved_as_it_was_then() {
+    Fixture f(true, 20);
+    f.run_to_end();
+    const quint64 scans = f.steps();
+    f.session.seek(scans - 1);
+    QTRY_VERIFY(f.steps() == scans - 1 && f.shows_everything());
+    f.prompts.numbers = {1};
+    f.prompts.saves = {f.path("end")};
+    f.trigger("action_save_results");
+    QTRY_VERIFY(QFile::exists(f.path("end/summary.json")));
+    QVERIFY(f.prompts.offered.back().contains("at its end"));
+    QVERIFY(Fixture::read(f.path("end/summary.json")).contains("\"finished\": true"));
+    QTRY_VERIFY(!f.window->result_actions().writing());
+}
+
 void RunTest::all_results_are_those_of_the_command_line() {
     Fixture f(true, 20);
     f.run_to_end();

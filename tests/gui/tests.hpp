@@ -204,6 +204,7 @@ class RunTest : public QObject {
     void a_typed_ending_wins_over_the_filter();
     void the_map_is_saved_while_running();
     void what_is_saved_at_an_earlier_scan_is_asked_about();
+    void a_run_that_was_over_is_saved_as_it_was_then();
     void all_results_are_those_of_the_command_line();
     void all_results_of_a_world_are_those_of_the_command_line();
     void closing_waits_for_results_that_are_being_written();
@@ -260,6 +261,7 @@ class ViewTest : public QObject {
     void a_figure_has_what_is_wished();
     void a_figure_in_pdf_has_its_letters();
     void what_was_wished_is_wished_again();
+    void a_figure_is_saved_as_it_was_accepted();
     void a_class_sees_one_view_in_large_letters();
     void a_layout_has_a_name();
     void a_picture_can_be_given_up();
@@ -364,6 +366,7 @@ class ContactTest : public QObject {
     void several_files_can_be_dropped_at_once();
     void the_configuration_can_be_undone_and_redone();
     void the_source_decides_the_parameters_until_the_user_does();
+    void who_chose_is_remembered_and_not_guessed();
     void what_init_cfg_says_stays_whatever_the_source_is();
     void what_the_source_decides_at_the_start_is_told();
     void a_preset_of_the_users_own_is_in_the_menu();

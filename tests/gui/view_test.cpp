@@ -4,6 +4,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QContextMenuEvent>
+#include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QImage>
 #include <QLabel>
@@ -324,6 +325,37 @@ void ViewTest::what_was_wished_is_wished_again() {
     QCOMPARE(next.format(), QString("svg"));
     QVERIFY(!next.findChild<QCheckBox*>("export_legend")->isChecked());
     QVERIFY(next.windowTitle().contains("Plots"));
+}
+
+void ViewTest::a_figure_is_saved_as_it_was_accepted() {
+    Fixture f;
+    f.run_steps(20);
+    QByteArray seen;
+    in_dialog<ExportDialog>([&](ExportDialog& dialog) {
+        auto* format = dialog.findChild<QComboBox*>("export_format");
+        format->setCurrentIndex(format->findData("png"));
+        dialog.accept();
+        seen = dialog.bytes();
+        f.session.run_steps(30);  // goes on while a name is chosen
+    });
+    f.prompts.saves = {f.path("map.png")};
+    emit f.window->grid_view().picture_wanted();
+    QCOMPARE(Fixture::read(f.path("map.png")), seen);
+    // What pixels could not hold is no reason against shapes.
+    ExportDialog dialog(f.window->plots().exportable(), f.files.settings(), f.window.get());
+    dialog.show();
+    const auto choose = [&](const char* format) {
+        auto* box = dialog.findChild<QComboBox*>("export_format");
+        box->setCurrentIndex(box->findData(format));
+    };
+    const auto* save = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save);
+    choose("png");
+    dialog.findChild<QComboBox*>("export_unit")->setCurrentIndex(1);
+    dialog.findChild<QDoubleSpinBox*>("export_mm")->setValue(400.0);
+    dialog.findChild<QDoubleSpinBox*>("export_dots")->setValue(1200.0);
+    QTRY_VERIFY(!save->isEnabled());
+    choose("pdf");
+    QTRY_VERIFY(save->isEnabled());
 }
 
 void ViewTest::a_class_sees_one_view_in_large_letters() {

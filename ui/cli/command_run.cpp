@@ -197,6 +197,7 @@ void run(const RunOptions& options) {
     const std::string source = source_named(input_named(options.log, "log"));
     const std::string_view suited = suited_preset(options.configuration, source);
     Configuracion configuration = load(options.configuration, suited);
+    fmt::print(stderr, "{}", suited_words(suited));
     configuration.source.file = source;
     options.source.choose(configuration.source);
     check_particle(options.grid_of, configuration);
@@ -289,7 +290,6 @@ void run(const RunOptions& options) {
     }
     files.finish(summary.files.size());
     Report report(options.json);
-    report.say("{}", suited_words(suited));
     tell_summary(summary, options.out, report);
     if (report.is_json()) {
         report.object() = {{"folder", options.out}};

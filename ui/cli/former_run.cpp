@@ -34,14 +34,6 @@ std::string written_at(const std::filesystem::path& file) {
     return fmt::format(", written {:%Y-%m-%d %H:%M}", local);
 }
 
-/// However the paths are written, and whether or not the file is still there.
-bool same_source(const Configuracion& a, const Configuracion& b) {
-    std::error_code ignored;
-    return a.source.file == b.source.file ||
-           std::filesystem::weakly_canonical(a.source.file, ignored) ==
-               std::filesystem::weakly_canonical(b.source.file, ignored);
-}
-
 [[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& held) {
     throw FileError(folder.string(),
                     verbatim(fmt::format("holds the results of {}; choose another folder, or say "
@@ -63,7 +55,7 @@ void refuse_another_run(const std::filesystem::path& folder, const Configuracion
         refuse(folder, fmt::format("a run{} that cannot be compared with this one: {}", written,
                                    error.what()));
     }
-    if (!same_source(former, configuration)) {
+    if (!same_log(former, configuration)) {
         refuse(folder, fmt::format("a run of another source, {}{}", on_one_line(former.source.file),
                                    written));
     }

@@ -8,6 +8,7 @@
 
 #include "files/map_shapes.hpp"
 #include "hitos/services/drawing/scale_bar.hpp"
+#include "picture_drawing.hpp"
 
 namespace hitos {
 namespace {
@@ -21,6 +22,7 @@ constexpr double kNarrowest = 58.0;  // so that the legend has room
 constexpr double kSlenderest = 110.0 / 85.0;
 constexpr double kLowest = 15.0;
 constexpr double kText = 7.0 * 25.4 / 72.0;
+constexpr double kLettersPerWidth = 20.0;  // pixels in which words are measured
 constexpr double kTick = 1.0;
 constexpr double kRow = 3.6;
 constexpr double kSample = 6.0;
@@ -195,6 +197,20 @@ void add_axes(const View& view, VectorDrawing& drawing) {
     drawing.layers.push_back(std::move(words));
 }
 
+/// As much of the words as is no wider [mm], by whole letters of UTF-8.
+std::string shortened(std::string words, double width) {
+    const auto wide = [&](const std::string& text) {
+        return drawing::widest({&text, 1}, kLettersPerWidth) * kText / kLettersPerWidth > width;
+    };
+    if (!wide(words)) return words;
+    while (!words.empty() && wide(words + "\xe2\x80\xa6")) {
+        do {
+            words.pop_back();
+        } while (!words.empty() && (words.back() & 0xC0) == 0x80);
+    }
+    return words + "\xe2\x80\xa6";
+}
+
 /// What a layer of the map is called in the legend, and a sample of it around (0, 0).
 struct Legend {
     std::string words;
@@ -241,7 +257,8 @@ void add_map(const MapFigureContent& content, const MapShapes& shapes, const Vie
             {view.at(ellipse.centre), view.turned(ellipse.major), view.turned(minor)});
     }
     const std::vector<DrawnLine> stroke{{{-kSample / 2.0, 0.0}, {kSample / 2.0, 0.0}}};
-    if (content.style.uncertainty)
+    const MapFigureStyle& style = content.style;
+    if (style.landmarks && style.uncertainty)
         layers.add(std::move(regions), fmt::format("uncertainty, {:g} \xcf\x83", kFigureSigmas),
                    {rectangle({-kSample / 2.0, -0.7}, {kSample / 2.0, 0.7})});
 
@@ -249,25 +266,25 @@ void add_map(const MapFigureContent& content, const MapShapes& shapes, const Vie
     if (auto line = thinned(content.odometry, view); line.size() > 1) {
         odometry.lines.push_back(std::move(line));
     }
-    layers.add(std::move(odometry), "odometry alone", stroke);
+    if (style.odometry) layers.add(std::move(odometry), "odometry alone", stroke);
 
     DrawnLayer path{"path", kPathStyle};
     DrawnLine line = thinned(content.path, view);
     if (line.size() > 1) path.lines.push_back(line);
-    layers.add(std::move(path), "estimated path", stroke);
+    if (style.path) layers.add(std::move(path), "estimated path", stroke);
 
     DrawnLayer walls{"lines", kWallStyle};
     for (const auto& [a, b] : shapes.lines) walls.lines.push_back({view.at(a), view.at(b)});
-    layers.add(std::move(walls), "line landmarks", stroke);
+    if (style.landmarks) layers.add(std::move(walls), "line landmarks", stroke);
 
     DrawnLayer corners{"corners", kCornerStyle};
     const double radius = kCornerRadius * weight_in(view);
     for (const Point2& corner : shapes.corners) {
         corners.ellipses.push_back(disc(view.at(corner), radius));
     }
-    layers.add(std::move(corners), "corner landmarks", {}, {disc({}, radius)});
+    if (style.landmarks) layers.add(std::move(corners), "corner landmarks", {}, {disc({}, radius)});
 
-    if (line.empty()) return;
+    if (line.empty() || !style.path) return;
     DrawnLayer start{"start", kStartStyle};
     start.ellipses.push_back(disc(line.front(), kEndRadius));
     layers.add(std::move(start), "start", {}, {disc({}, kEndRadius)});
@@ -278,12 +295,15 @@ void add_map(const MapFigureContent& content, const MapShapes& shapes, const Vie
     layers.add(std::move(end), "end", {square({}, kEndRadius - 0.1)});
 }
 
-/// Two columns below the axes, the scale bar in the last place.
+/// Two columns below the axes, one where two have no room, the scale bar in the last place.
 void add_legend(const View& view, std::vector<Legend>& entries, VectorDrawing& drawing) {
     const double top = drawing.height;
-    const double column = (view.paper.high.x - 1.0) / 2.0;
-    const std::size_t places = entries.size() + 1;
-    const std::size_t rows = (places + 1) / 2;
+    constexpr double kLeastColumn = 34.0;  // mm, for the longest words
+    constexpr double kWordsOfBar = 16.0;
+    const double room = view.paper.high.x - 1.0;
+    const std::size_t columns = room < 2.0 * kLeastColumn ? 1 : 2;
+    const double column = room / static_cast<double>(columns);
+    const std::size_t rows = (entries.size() + columns) / columns;
     const auto place = [&](std::size_t i) {
         const bool second = i >= rows;
         return Point2{1.0 + (second ? column : 0.0),
@@ -301,7 +321,7 @@ void add_legend(const View& view, std::vector<Legend>& entries, VectorDrawing& d
         drawing.layers.push_back(std::move(sample));
     }
     const Point2 at = place(entries.size());
-    const double length = round_length((column - 16.0) / view.mm_per_m);
+    const double length = round_length(std::max(column - kWordsOfBar, 4.0) / view.mm_per_m);
     const double end = at.x + 1.0 + length * view.mm_per_m;
     DrawnLayer bar{"scale-bar", line_style(kBlack, 0.4)};
     bar.lines = {{{at.x + 1.0, at.y - 0.9}, {at.x + 1.0, at.y + 0.9}},
@@ -331,8 +351,9 @@ VectorDrawing map_figure(const MapFigureContent& content) {
     if (style.legend) add_legend(view, legend, drawing);
     if (!style.heading.empty()) {
         DrawnLayer heading{"heading", kWordStyle};
+        const std::string words = shortened(style.heading, drawing.width - 2.0);
         heading.texts.push_back(
-            {{drawing.width / 2.0, kTop + kLetterHeight * kText}, style.heading, Anchor::middle});
+            {{drawing.width / 2.0, kTop + kLetterHeight * kText}, words, Anchor::middle});
         drawing.layers.push_back(std::move(heading));
     }
     return drawing;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
@@ -81,6 +82,15 @@ KeptRun read_results(const std::filesystem::path& folder) {
     run.path = read_trajectory(folder / "trajectory.tum");
     run.odometry = read_trajectory(folder / "odometry.tum");
     return run;
+}
+
+bool same_log(const Configuracion& a, const Configuracion& b) {
+    // A file holds no bytes that are no UTF-8.
+    if (in_utf8(a.source.file) == in_utf8(b.source.file)) return true;
+    std::error_code none;
+    if (std::filesystem::equivalent(a.source.file, b.source.file, none)) return true;
+    return std::filesystem::weakly_canonical(a.source.file, none) ==
+           std::filesystem::weakly_canonical(b.source.file, none);
 }
 
 std::vector<const ConfigParameter*> differences(const Configuracion& a, const Configuracion& b) {

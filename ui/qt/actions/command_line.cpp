@@ -110,10 +110,11 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
             "What the picture shows: main, world, plots, landmarks, particles, associations, "
             "joint, measurements, runs, compare, draw, drive, source, configuration, run-until, "
             "export, best-map, odometry, study, guide")
-        ->check(CLI::IsMember({"main", "world", "plots", "landmarks", "particles", "associations",
-                               "joint", "measurements", "runs", "compare", "source",
-                               "configuration", "draw", "drive", "run-until", "export",
-                               "best-map", "odometry", "study", "guide"}));
+        ->check(CLI::IsMember({"main",      "world",        "plots",     "landmarks",
+                               "particles", "associations", "joint",     "measurements",
+                               "runs",      "compare",      "source",    "configuration",
+                               "draw",      "drive",        "run-until", "export",
+                               "best-map",  "odometry",     "study",     "guide"}));
     program.add_flag("--benchmark", out.benchmark,
                      "Run the log with and without the window; print speeds and response times");
     program
@@ -157,7 +158,7 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
         configuration = suited_configuration(source);
     } else if (init == Init::read && files.has_init()) {
         configuration = ArchivoConfiguracion::read(files.init_path().toStdString());
-    } else if (!shipped_file(kReadyTour).empty()) {
+    } else if (named.isEmpty() && !shipped_file(kReadyTour).empty()) {
         configuration = preset_configuration(kReadyPreset);
     }
     if (!named.isEmpty() && !named_configuration && !named_results) {
@@ -176,19 +177,16 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
     return configuration;
 }
 
-bool chosen_by_program(const Configuracion& configuration) {
-    const std::string& source = configuration.source.file;
-    std::vector<Configuracion> choices{Configuracion(), suited_configuration(source)};
-    if (source == shipped_file(kReadyTour).string())
-        choices.push_back(preset_configuration(kReadyPreset));
-    return std::ranges::any_of(choices, [&configuration](Configuracion choice) {
-        const std::string world_set = std::move(choice.source.world_set);
-        choice.source = configuration.source;
-        choice.source.world_set = world_set;
-        choice.run = configuration.run;
-        return ArchivoConfiguracion::to_text(choice) ==
-               ArchivoConfiguracion::to_text(configuration);
-    });
+bool nobody_chose(const CommandLine& line, const UserFiles& files) {
+    const bool wanted = line.preset == kAutoPreset;
+    if (!line.config.empty() || (!line.preset.empty() && !wanted) ||
+        !line.values.assignments.empty() || !line.values.world_assignments.empty()) {
+        return false;
+    }
+    if (!wanted && files.has_init()) return false;
+    if (line.open.empty()) return true;
+    const FileKind kind = kind_of(QString::fromStdString(line.open));
+    return kind != FileKind::configuration && kind != FileKind::results;
 }
 
 ReferenceFiles starting_references(const CommandLine& line, const Configuracion& configuration) {

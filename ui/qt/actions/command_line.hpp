@@ -54,9 +54,8 @@ std::string deciding_source(const CommandLine& line, const UserFiles& files, Ini
 Configuracion starting_configuration(const CommandLine& line, const UserFiles& files,
                                      Init init = Init::read);
 
-/// Whether its parameters, apart from log, seed and threads, are such as Hitos itself takes where
-/// nobody chooses. Throws hitos::Error.
-bool chosen_by_program(const Configuracion& configuration);
+/// Whether the parameters to start with are Hitos's own choice.
+bool nobody_chose(const CommandLine& line, const UserFiles& files);
 
 /// The references named, each for what it holds; for the ready tour the map that belongs to it.
 /// Throws what by_content() throws.

@@ -16,6 +16,7 @@
 #include "hitos/capture/archivo.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
+#include "hitos/services/results/kept_run.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "look/parameter_text.hpp"
 #include "look/words_of.hpp"
@@ -71,6 +72,8 @@ ConfigurationActions::ConfigurationActions(Session& session, UserFiles& files, P
 void ConfigurationActions::start(const CommandLine& line) {
     const Configuracion configuration = starting_configuration(line, files_);
     session_.set_configuration(configuration);
+    own_.clear();
+    if (nobody_chose(line, files_)) own_.push_back(configuration);
     take_references(starting_references(line, configuration));
 }
 
@@ -119,27 +122,34 @@ void ConfigurationActions::start_or_warn(const CommandLine& line) {
         configuration.source.file.clear();
         possible(unusable, [&] { session_.set_configuration(configuration); });
     }
+    own_.clear();
+    if (nobody_chose(line, files_)) own_.push_back(configuration);
     possible(tr("The reference was not loaded"), [&] {
         if (const auto doubt = take_references(starting_references(line, configuration)))
             complaints.emplace_back(tr("The reference is in doubt"), words_of(*doubt));
     });
     note_named(line);
+    QString suited;
+    if (complaints.empty()) {
+        const std::string source = deciding_source(line, files_, Init::read);
+        if (!source.empty()) suited = suited_words(suited_preset(source));
+    }
     if (complaints.empty() && !to_choose) {
-        if (const std::string source = deciding_source(line, files_, Init::read); !source.empty())
-            emit notice(suited_words(suited_preset(source)));
+        if (!suited.isEmpty()) emit notice(suited);
         return;
     }
-    QTimer::singleShot(0, this, [this, complaints, to_choose, run = line.run] {
+    QTimer::singleShot(0, this, [this, complaints, to_choose, suited, run = line.run] {
         for (const auto& [title, reason] : complaints) prompts_.warn(window_, title, reason);
-        if (to_choose) choose_at_start(*to_choose, run);
+        if (to_choose) choose_at_start(*to_choose, suited, run);
     });
 }
 
 /// With the references of the command line, and run where it asks for that.
-void ConfigurationActions::choose_at_start(const Configuracion& configuration, bool run) {
+void ConfigurationActions::choose_at_start(const Configuracion& configuration,
+                                           const QString& suited, bool run) {
     const References named = session_.user_references();  // those of a log go with it
     const QString map = session_.reference_map_file();
-    if (!choose_source(configuration, true)) return;
+    if (!choose_source(configuration, true, suited)) return;
     if (same_log(session_.configuration(), configuration)) session_.set_references(named, map);
     if (run) session_.run();
 }
@@ -185,19 +195,28 @@ void ConfigurationActions::select_source() {
     choose_source(session_.configuration(), false);
 }
 
-/// Asks for the source of a configuration in the form, beginning with its own. False where the user
-/// would have none.
-bool ConfigurationActions::choose_source(Configuracion next, bool confirmed) {
+/// Asks for the source of a configuration in the form, beginning with its own; `suited` says what
+/// that one decided already. False where the user would have none.
+bool ConfigurationActions::choose_source(Configuracion next, bool confirmed,
+                                         const QString& suited) {
     const Configuracion given = next;
     SourceDialog dialog(given.source, prompts_, files_.folder_to_open("log"), window_);
     while (dialog.exec() == QDialog::Accepted) {
         next = given;
-        const QString suited = suit(next, dialog.source().file);
-        next.source = dialog.source();
+        const SourceParams source = dialog.source();
+        const bool same = source.file == given.source.file;
+        const QString words = same ? suited : suit(next, source.file);
+        // Values of a world that a preset had brought are not the user's.
+        const bool brought =
+            !same && !words.isEmpty() && source.world_set == given.source.world_set;
+        const std::string world_set = brought ? next.source.world_set : source.world_set;
+        next.source = source;
+        next.source.world_set = world_set;
         if (!(confirmed || guard_.may_discard())) continue;
         const TourSummary summary = dialog.summary().value_or(SourceInspection{}).tour;
         if (dialog.summary()) emit inspected(next.source, summary);
         if (!use(next)) continue;
+        if (!words.isEmpty()) own_.push_back(next);
         const QString file = QString::fromStdString(next.source.file);
         files_.note_opened("log", file);
         files_.note_recent(file);
@@ -205,25 +224,34 @@ bool ConfigurationActions::choose_source(Configuracion next, bool confirmed) {
             tr("Source loaded: %1, %2")
                 .arg(QFileInfo(file).fileName(),
                      counted_words(summary.report.scans, tr("1 scan"), tr("%1 scans")));
-        emit notice(sentences({loaded, suited}));
+        emit notice(sentences({loaded, words}));
         return true;
     }
     return false;
 }
 
+/// Whether its parameters are as Hitos itself took them.
+bool ConfigurationActions::is_own(const Configuracion& configuration) const {
+    return std::ranges::any_of(own_, [&](Configuracion own) {
+        if (own.source.world_set != configuration.source.world_set) return false;
+        own.source = configuration.source;
+        own.run = configuration.run;
+        return differences(own, configuration).empty();
+    });
+}
+
 /// What another source is decides the parameters, unless the user has chosen them; words of what
 /// was taken.
 QString ConfigurationActions::suit(Configuracion& next, const std::string& file) const {
-    if (file == next.source.file || files_.has_init()) return {};
+    if (file == next.source.file || !is_own(next)) return {};
     try {
-        if (!chosen_by_program(next)) return {};
         Configuracion suited = suited_configuration(file);
         suited.run = next.run;
         suited.source = next.source;
         suited.source.world_set.clear();  // if there was any, a preset had brought it
         next = suited;
         return suited_words(suited_preset(file));
-    } catch (const FileError&) {  // without the presets' files the parameters stay
+    } catch (const Error&) {  // without the presets' files the parameters stay
         return {};
     }
 }
@@ -239,11 +267,12 @@ bool ConfigurationActions::use_log(const QString& path) {
     try {
         session_.set_configuration(next);
     } catch (const std::exception& error) {
-        if (asks_for_topics(error, next.source.read)) return choose_source(next, true);
+        if (asks_for_topics(error, next.source.read)) return choose_source(next, true, suited);
         prompts_.warn(window_, tr("The log cannot be used"),
                       with_beginning(words_of(error), path.toStdString()));
         return false;
     }
+    if (!suited.isEmpty()) own_.push_back(next);
     files_.note_recent(path);
     const QString otherwise =
         former == next.source.read ? QString() : tr("How the former one was read is not applied");
@@ -290,6 +319,7 @@ bool ConfigurationActions::load_file(const QString& path, bool confirmed) {
         return true;  // the user's own wish, nothing to mend
     }
     if (!use(next)) return false;
+    own_.clear();
     files_.note_opened("config", path);
     files_.note_recent(path);
     emit notice(tr("Configuration loaded: %1").arg(QFileInfo(path).fileName()));
@@ -313,7 +343,9 @@ void ConfigurationActions::use_preset(std::string_view word, bool confirmed) {
                                     tr("The run starts from the beginning."), tr("Load")})) {
         return;
     }
-    if (use(next)) emit notice(tr("Configuration loaded: %1").arg(name));
+    if (!use(next)) return;
+    own_.clear();
+    emit notice(tr("Configuration loaded: %1").arg(name));
 }
 
 void ConfigurationActions::load() {
@@ -414,6 +446,7 @@ void ConfigurationActions::set_default() {
     try {
         QDir().mkpath(QFileInfo(path).absolutePath());
         ArchivoConfiguracion::write(session_.configuration(), path.toStdString());
+        own_.clear();
         emit notice(tr("Default configuration written: %1").arg(QDir::toNativeSeparators(path)));
     } catch (const std::exception& error) {
         tell_not_written(prompts_, window_, words_of(error));

@@ -76,9 +76,10 @@ class ConfigurationActions final : public QObject {
     void save_as(const QString& start, const QString& title);
     bool load_file(const QString& path, bool confirmed);
     bool use_log(const QString& path);
+    bool is_own(const Configuracion& configuration) const;
     QString suit(Configuracion& next, const std::string& file) const;
-    bool choose_source(Configuracion next, bool confirmed);
-    void choose_at_start(const Configuracion& configuration, bool run);
+    bool choose_source(Configuracion next, bool confirmed, const QString& suited = {});
+    void choose_at_start(const Configuracion& configuration, const QString& suited, bool run);
     bool use_reference(const QString& path, FileKind kind);
     std::optional<Advice> take_references(const ReferenceFiles& files);
     void load_reference(FileKind kind, const QString& title, const QString& filters);
@@ -93,7 +94,8 @@ class ConfigurationActions final : public QObject {
     std::vector<Configuracion> before_;  ///< the last at the back
     std::vector<Configuracion> after_;   ///< undone ones, the next at the back
     Configuracion now_;
-    bool in_history_ = false;  ///< undoing or redoing, which is no change
+    std::vector<Configuracion> own_;  ///< what Hitos itself took; none once the user chose
+    bool in_history_ = false;         ///< undoing or redoing, which is no change
 };
 
 }  // namespace hitos::window

@@ -37,7 +37,11 @@ ResultActions::ResultActions(Session& session, UserFiles& files, Prompts& prompt
       window_(window) {
     // Of a run that is no more nothing is written.
     connect(&session, &Session::restarted, this, [this] {
+        was_over_ = false;
         if (!writing()) emit busy({});
+    });
+    connect(&session, &Session::progress_changed, this, [this] {
+        was_over_ = was_over_ || session_.progress().state == Progress::State::finished;
     });
 }
 
@@ -144,28 +148,32 @@ void ResultActions::save_map() {
     });
 }
 
-/// Where the run has been further than it stands now the user says which of the two is meant.
+/// Where the run has been further than it stands now the user says which of the two is meant. At
+/// its end its path is smoothed, which it is at no scan before.
 void ResultActions::at_chosen_scan(const std::function<void()>& save) {
     delete going_;
     const Progress now = session_.progress();
     const quint64 furthest = session_.worker()->figures_since(0).size();
-    if (now.state == Progress::State::running || now.steps >= furthest) return save();
-    const std::optional<int> chosen =
-        prompts_.choice(window_in_use(), tr("The run has been further"), tr("What to save:"),
-                        {tr("As it is now, at scan %1").arg(now.steps),
-                         tr("As far as it came, at scan %1").arg(furthest)});
+    const bool to_end = was_over_ && !session_.is_live() && now.state != Progress::State::finished;
+    if (now.state == Progress::State::running || (!to_end && now.steps >= furthest)) return save();
+    const std::optional<int> chosen = prompts_.choice(
+        window_in_use(), tr("The run has been further"), tr("What to save:"),
+        {tr("As it is now, at scan %1").arg(now.steps),
+         (to_end ? tr("As it was at its end, scan %1") : tr("As far as it came, at scan %1"))
+             .arg(furthest)});
     if (!chosen) return;
     if (*chosen == 0) return save();
     going_ = new QTimer(this);
     connect(&session_, &Session::leaving, going_, &QObject::deleteLater);
-    connect(going_, &QTimer::timeout, this, [this, save, furthest] {
+    connect(going_, &QTimer::timeout, this, [this, save, furthest, to_end] {
         const Progress at = session_.progress();
         if (at.state == Progress::State::running || !session_.up_to_date()) return;
         going_->deleteLater();
         going_->stop();
-        if (at.steps == furthest) save();  // else the user went elsewhere meanwhile
+        // Else the user went elsewhere meanwhile.
+        if (to_end ? at.state == Progress::State::finished : at.steps == furthest) save();
     });
-    session_.seek(furthest);
+    session_.seek(to_end ? RunWorker::kToTheEnd : furthest);
     constexpr int kLookMs = 20;
     going_->start(kLookMs);
 }
@@ -233,6 +241,7 @@ void ResultActions::save_results() {
 }
 
 void ResultActions::ask_for_results() {
+    if (!session_.has_source() || session_.progress().steps == 0 || writing()) return;
     const QString folder = ask_where_to_save(
         prompts_, window_,
         {tr("Save all results: name of a new folder"),

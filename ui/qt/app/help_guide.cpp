@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDialog>
 #include <QKeyEvent>
+#include <QTimer>
 #include <array>
 
 #include "dialogs/guide_window.hpp"
@@ -83,7 +84,13 @@ void HelpGuide::open(const QString& heading) {
     QWidget* above = QApplication::activeModalWidget();
     belong_to(above == nullptr ? main_ : *above);
     if (auto* dialog = qobject_cast<QDialog*>(above)) {
-        connect(dialog, &QDialog::finished, window_, [this] { belong_to(main_); });
+        // To the one that waits then: it may have been opened by another dialog.
+        const auto give_back = [this] {
+            QWidget* waits = QApplication::activeModalWidget();
+            belong_to(waits == nullptr ? main_ : *waits);
+        };
+        connect(dialog, &QDialog::finished, window_,
+                [this, give_back] { QTimer::singleShot(0, window_, give_back); });
     }
     window_->open(guide, heading);
     window_->show();

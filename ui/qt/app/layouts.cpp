@@ -82,7 +82,7 @@ void Layouts::within(const QString& group, const std::function<void()>& use) {
 
 void Layouts::present(bool on) {
     if (!on) {
-        QApplication::setFont(font_);
+        set_letters(font_);
         switches_.alone->setChecked(false);
         within(kBefore, means_.restore);
         settings_.remove(kBefore);
@@ -93,10 +93,16 @@ void Layouts::present(bool on) {
     font_ = QApplication::font();
     QFont large = font_;
     large.setPointSizeF(font_.pointSizeF() * kLarger);
-    QApplication::setFont(large);
+    set_letters(large);
     for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) dock->hide();
     switches_.summary->setChecked(false);
     switches_.alone->setChecked(true);
+}
+
+/// A window that has a style of its own does not follow the program's.
+void Layouts::set_letters(const QFont& font) {
+    QApplication::setFont(font);
+    window_.setFont(font);
 }
 
 void Layouts::end_presenting() {

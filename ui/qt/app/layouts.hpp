@@ -45,6 +45,7 @@ class Layouts final : public QObject {
     /// With that group open.
     void within(const QString& group, const std::function<void()>& use);
     void present(bool on);
+    void set_letters(const QFont& font);
 
     QMainWindow& window_;
     QMenu& menu_;

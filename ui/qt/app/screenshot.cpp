@@ -179,7 +179,8 @@ void take_screenshot(MainWindow& window, Session& session, const CommandLine& li
         write_picture_of(dialog, line);
     } else if (line.show == "guide") {
         window.findChild<QAction*>("action_guide")->trigger();
-        write_picture_of(*window.findChild<QDialog*>("guide_window"), line);
+        auto* guide = window.findChild<QDialog*>("guide_window");
+        if (guide != nullptr) write_picture_of(*guide, line);  // else it has said why
     } else if (line.show == "best-map") {
         window.result_actions().view_best();
         show_map(window.result_actions().best_window(), line);

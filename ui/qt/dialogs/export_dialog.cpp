@@ -86,8 +86,11 @@ ExportDialog::ExportDialog(const Exportable& what, QSettings& settings, QWidget*
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
     later_.setSingleShot(true);
     connect(&later_, &QTimer::timeout, this, &ExportDialog::preview);
+    constexpr int kFollowMs = 1000;
+    auto* follow = new QTimer(this);  // the run may go on
+    connect(follow, &QTimer::timeout, this, &ExportDialog::preview);
+    follow->start(kFollowMs);
     take_last();
-    width_mm_->setValue(offer().paper_mm);
     choose_offer();
     for (QComboBox* box : {format_, unit_}) {
         connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
@@ -147,6 +150,7 @@ void ExportDialog::take_last() {
         return settings_.value(QString("export/") + name, otherwise);
     };
     format_->setCurrentIndex(std::max(format_->findData(last("format", kFormats.front())), 0));
+    width_mm_->setValue(settings_.value(width_key(), offer().paper_mm).toDouble());
     unit_->setCurrentIndex(last("print", false).toBool() ? 1 : 0);
     dots_->setValue(last("dots", 300.0).toDouble());
     letters_->setValue(last("letters", 7.0).toDouble());
@@ -158,11 +162,17 @@ void ExportDialog::take_last() {
 void ExportDialog::remember() {
     settings_.setValue("export/format", format());
     settings_.setValue("export/print", unit_->currentIndex() == 1);
+    settings_.setValue(width_key(), width_mm_->value());
     settings_.setValue("export/dots", dots_->value());
     settings_.setValue("export/letters", letters_->value());
     settings_.setValue("export/axes", axes_->isChecked());
     settings_.setValue("export/legend", legend_->isChecked());
     settings_.setValue("export/light", light_->isChecked());
+}
+
+/// A map is not as wide as plots are.
+QString ExportDialog::width_key() const {
+    return "export/mm-" + what_.name;
 }
 
 QString ExportDialog::format() const {
@@ -229,7 +239,8 @@ void ExportDialog::refresh() {
     unit_->setEnabled(!of_shapes() && !offer().for_print);
     width_pixels_->setEnabled(!mm);
     width_mm_->setEnabled(mm);
-    letters_->setEnabled(mm && !offer().for_print);
+    letters_->setEnabled(mm && !offer().for_print && !offer().plain);
+    title_->setEnabled(!offer().plain);
     dots_->setEnabled(mm && !of_shapes());
     axes_->setEnabled(offer().axes);
     legend_->setEnabled(offer().legend);
@@ -251,7 +262,7 @@ void ExportDialog::preview() {
         sum_->setText(words.join(QStringLiteral(" · ")));
         const double ratio = devicePixelRatioF();
         const QSizeF room = QSizeF(preview_->size()) * ratio;
-        check_size(shown);
+        if (!of_shapes()) check_size(shown);
         shown.scale =
             std::min(room.width() / shown.size.width(), room.height() / shown.size.height());
         QPixmap pixmap = QPixmap::fromImage(image_of(shown));
@@ -268,7 +279,14 @@ void ExportDialog::preview() {
     }
 }
 
+/// What is seen now is what is saved, though the run goes on while a name is chosen.
 void ExportDialog::accept() {
+    try {
+        bytes_ = encoded(picture(), format());
+    } catch (const std::exception& error) {
+        preview_->setText(words_of(error));
+        return;
+    }
     remember();
     QDialog::accept();
 }
@@ -287,7 +305,13 @@ QString export_figure(UserFiles& files, Prompts& prompts, QWidget* parent, const
         save_until_done(prompts, parent,
                         {dialog.windowTitle(), files.place_to_save(what.name + '.' + format),
                          picture_filter(), format},
-                        [&](const QString& target) { write_picture(dialog.picture(), target); });
+                        [&](const QString& target) {
+                            if (target.endsWith('.' + format, Qt::CaseInsensitive)) {
+                                write_bytes(dialog.bytes(), target);
+                            } else {  // its typed ending says another kind
+                                write_picture(dialog.picture(), target);
+                            }
+                        });
     if (!path.isEmpty()) files.note_saved("picture", path);
     return path;
 }

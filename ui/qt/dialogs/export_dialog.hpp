@@ -30,11 +30,14 @@ class ExportDialog final : public QDialog {
     Picture picture() const;
     /// "jpg", "png", "svg" or "pdf".
     QString format() const;
+    /// Of a file in that format, as it was when it was accepted.
+    const QByteArray& bytes() const { return bytes_; }
     void accept() override;
 
   private:
     void add_size(QFormLayout& form);
     void add_parts(QFormLayout& form);
+    QString width_key() const;
     void take_last();
     void remember();
     const FigureOffer& offer() const;
@@ -50,6 +53,7 @@ class ExportDialog final : public QDialog {
 
     Exportable what_;
     QSettings& settings_;
+    QByteArray bytes_;
     QTimer later_;  ///< a preview for several changes at once
     QComboBox* part_;
     QComboBox* format_;

@@ -176,9 +176,15 @@ void GuideWindow::show_headings() {
     mark_heading();
 }
 
+/// The heading that the page stands under; one that was chosen stays so while it is in sight, as
+/// those of the last page are that cannot come to the top.
 void GuideWindow::mark_heading() {
+    const QScrollBar& bar = *page_->verticalScrollBar();
+    const int chosen = contents_->currentRow();
+    const int top = page_->heading_in_sight();
+    if (bar.value() == bar.maximum() && chosen > top) return;
     const QSignalBlocker quiet(contents_);
-    contents_->setCurrentRow(page_->heading_in_sight());
+    contents_->setCurrentRow(top);
 }
 
 /// As it is typed: goes to the first place from the one before on, or from what is in sight on.

@@ -241,6 +241,7 @@ Picture CorrelationView::picture(const FigureWish& wish) const {
 FigureOffer CorrelationView::figure() const {
     FigureOffer offer;
     offer.width = width();
+    offer.plain = true;
     offer.picture = [this](const FigureWish& wish) { return picture(wish); };
     return offer;
 }

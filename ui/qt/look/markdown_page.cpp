@@ -17,8 +17,8 @@
 namespace hitos::window {
 namespace {
 
-constexpr double kPadding = 5.0;  // pixels, in the cells of a table
-constexpr double kMargin = 10.0;
+constexpr double kCellPadding = 5.0;  // pixels, in the cells of a table
+constexpr double kPageMargin = 10.0;
 
 QPixmap pixmap_of(const QTextDocument& document, const QTextFormat& format) {
     const QUrl name(format.toImageFormat().name());
@@ -122,9 +122,9 @@ void MarkdownPage::dress() {
         format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
         format.setBorderBrush(colours().border);
         format.setBorderCollapse(true);
-        format.setCellPadding(kPadding);
-        format.setTopMargin(kMargin);
-        format.setBottomMargin(kMargin);
+        format.setCellPadding(kCellPadding);
+        format.setTopMargin(kPageMargin);
+        format.setBottomMargin(kPageMargin);
         table->setFormat(format);
     }
     for (const Heading& heading : headings_) {
@@ -133,13 +133,13 @@ void MarkdownPage::dress() {
         anchor.setAnchorNames(heading.anchors);
         cursor.setPosition(heading.position);
         QTextBlockFormat apart;
-        apart.setTopMargin(2.0 * kMargin);
+        apart.setTopMargin(2.0 * kPageMargin);
         if (heading.level > 1) cursor.mergeBlockFormat(apart);
         cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
         cursor.mergeCharFormat(anchor);
     }
     cursor.endEditBlock();
-    document()->setDocumentMargin(kMargin);
+    document()->setDocumentMargin(kPageMargin);
     document()->size();  // lays all of it out: what goes to a place now finds it
 }
 

@@ -22,12 +22,6 @@ constexpr qint64 kTellMs = 100;
 
 }  // namespace
 
-bool same_log(const Configuracion& a, const Configuracion& b) {
-    if (a.source.file == b.source.file) return true;
-    std::error_code problem;
-    return std::filesystem::equivalent(a.source.file, b.source.file, problem) && !problem;
-}
-
 Session::Session(QObject* parent) : QObject(parent) {
     timer_.setInterval(kTickMs);
     timer_.setTimerType(Qt::PreciseTimer);

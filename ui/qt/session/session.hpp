@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <memory>
 
+#include "hitos/services/results/kept_run.hpp"
 #include "hitos/services/results/results.hpp"
 #include "hitos/services/run/run_worker.hpp"
 
@@ -15,9 +16,6 @@ class SimulatedTour;
 }
 
 namespace hitos::window {
-
-/// Whether both are of one log, however its path is written.
-bool same_log(const Configuracion& a, const Configuracion& b);
 
 /// Holds the configuration and the RunWorker that runs it, and tells the views what is new at the
 /// rate of the screen. Snapshots are asked for so seldom that making and painting them takes no

@@ -6824,6 +6824,10 @@
         <source>As far as it came, at scan %1</source>
         <translation>Hasta donde llegó, en el barrido %1</translation>
     </message>
+    <message>
+        <source>As it was at its end, scan %1</source>
+        <translation>Como estaba al final, barrido %1</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::RunControls</name>
@@ -7086,10 +7090,6 @@
         <translation>Elija un registro: odometría y barridos láser, como texto, .gz o grabación de ROS.</translation>
     </message>
     <message>
-        <source>The recording has several lasers or odometries: write above which ones to use. Its topics are below, with their messages.</source>
-        <translation>La grabación tiene varios láseres u odometrías: escriba arriba cuáles usar. Abajo están sus temas, con sus mensajes.</translation>
-    </message>
-    <message>
         <source>Scans before the first odometry reading: %1. They are used as if the robot had stood still until then; “%2” in the configuration leaves them out.</source>
         <translation>Barridos anteriores a la primera lectura de odometría: %1. Se usan como si el robot hubiera estado parado hasta ella; «%2», en la configuración, los omite.</translation>
     </message>
@@ -7144,6 +7144,10 @@
     <message>
         <source>Select source</source>
         <translation>Seleccionar origen</translation>
+    </message>
+    <message>
+        <source>The recording has several lasers or odometries: write above which ones to use, or tick them below.</source>
+        <translation>La grabación tiene varios láseres u odometrías: escriba arriba cuáles se usan, o márquelos abajo.</translation>
     </message>
 </context>
 <context>
@@ -7597,6 +7601,45 @@
     <message>
         <source>Scan %1 of %2</source>
         <translation>Barrido %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::TopicList</name>
+    <message>
+        <source>Laser</source>
+        <translation>Láser</translation>
+    </message>
+    <message>
+        <source>Odometry</source>
+        <translation>Odometría</translation>
+    </message>
+    <message>
+        <source>Transforms</source>
+        <translation>Transformaciones</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Gives</source>
+        <translation>Da</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Mensajes</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Marco</translation>
+    </message>
+    <message>
+        <source>Topics</source>
+        <translation>Temas</translation>
     </message>
 </context>
 <context>

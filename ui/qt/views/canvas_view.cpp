@@ -229,7 +229,7 @@ Picture CanvasView::figure(bool whole, const FigureWish& wish) {
         paint_all(painter, scene);
         layers_ = before;
         painter.restore();
-        frame.paint(painter, scene);
+        frame.paint(painter, scene, layer_colours(*wish.colours));
     };
     return picture;
 }

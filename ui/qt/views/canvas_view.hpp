@@ -74,6 +74,8 @@ class CanvasView : public QWidget {
     /// Pixels per metre of a whole picture at scale 1.
     virtual double whole_pixels_per_m() const { return 20.0; }
     virtual Pose pose_view_world() const { return {}; }
+    /// Those that its layers are drawn in.
+    virtual const Colours& layer_colours(const Colours& screen) const { return screen; }
     /// Of its pictures, without an ending.
     virtual QString file_name() const = 0;
     /// The layers that there is something of to draw.

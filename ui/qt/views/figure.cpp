@@ -70,7 +70,15 @@ void FigureFrame::lay_out_legend(bool particles) {
     if (!legend_.empty()) around_.setBottom(around_.bottom() + at.y() + row);
 }
 
-void FigureFrame::paint(QPainter& painter, const Scene& scene) const {
+void FigureFrame::paint(QPainter& painter, const Scene& scene, const Colours& layers) const {
+    // Not every kind of file is cut by the painter.
+    const QRectF inside(QPointF(), scene.size);
+    const QRectF all = inside.marginsAdded(around_);
+    const QColor ground = wish_.ground();
+    painter.fillRect(QRectF(all.left(), all.top(), all.width(), around_.top()), ground);
+    painter.fillRect(QRectF(all.left(), inside.bottom(), all.width(), around_.bottom()), ground);
+    painter.fillRect(QRectF(all.left(), all.top(), around_.left(), all.height()), ground);
+    painter.fillRect(QRectF(inside.right(), all.top(), around_.right(), all.height()), ground);
     painter.setPen(scene.colours.text);
     const double width = scene.size.width();
     if (!wish_.title.isEmpty()) {
@@ -92,7 +100,7 @@ void FigureFrame::paint(QPainter& painter, const Scene& scene) const {
         const QPointF at(entry.at.x() - around_.left(), top + entry.at.y());
         painter.save();
         painter.translate(at.x(), at.y() + (row - kSign) / 2.0);
-        paint_sign(painter, *entry.layer, scene.colours.*(entry.layer->colour));
+        paint_sign(painter, *entry.layer, layers.*(entry.layer->colour));
         painter.restore();
         painter.setPen(scene.colours.text);
         painter.drawText(QRectF(at.x() + kSign + kSpace, at.y(), width, row),

@@ -35,6 +35,7 @@ struct FigureOffer {
     double paper_mm = 85.0;  ///< as wide as a column
     bool legend = false;     ///< whether it can have one, and axes that can be left out
     bool axes = false;
+    bool plain = false;      ///< no title, and letters as large as the picture makes them
     bool for_print = false;  ///< it has letters of its own, and a size on paper
     bool particles = false;  ///< for the names of layers
     LayerSet layers = {};    ///< that it can draw,
@@ -67,8 +68,8 @@ class FigureFrame {
     /// Of title, axes and legend.
     const QMarginsF& around() const { return around_; }
     /// Onto a figure whose inside has the scene's size: the painter's origin is the inside's
-    /// corner.
-    void paint(QPainter& painter, const Scene& scene) const;
+    /// corner. `layers` are the colours of the legend. What was drawn beyond the inside is covered.
+    void paint(QPainter& painter, const Scene& scene, const Colours& layers) const;
 
   private:
     void paint_axis(QPainter& painter, const Scene& scene, bool upright) const;

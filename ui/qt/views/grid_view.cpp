@@ -41,17 +41,16 @@ constexpr double kPaperWidth = 85.0;  // mm
 
 /// The figure that a run's results have.
 Picture map_picture(const Snapshot& run, const FigureWish& wish) {
-    static const LandmarkMap kNoMap;
-    static const Trajectory kNoPath;
-    const bool landmarks = wish.layers.has(Layer::landmarks);
-    MapFigureContent content{wish.title.toStdString(),
-                             landmarks ? run.best_map : kNoMap,
-                             {},
-                             wish.layers.has(Layer::path) ? run.best_trajectory : kNoPath,
-                             wish.layers.has(Layer::odometry) ? run.odometry_trajectory : kNoPath};
-    if (landmarks) content.segments = run.line_extents;
-    content.style = {wish.width_mm, wish.layers.has(Layer::uncertainty), wish.axes, wish.legend,
-                     wish.title.toStdString()};
+    MapFigureContent content{wish.title.toStdString(), run.best_map, run.line_extents,
+                             run.best_trajectory, run.odometry_trajectory};
+    content.style.width_mm = wish.width_mm;
+    content.style.landmarks = wish.layers.has(Layer::landmarks);
+    content.style.uncertainty = wish.layers.has(Layer::uncertainty);
+    content.style.path = wish.layers.has(Layer::path);
+    content.style.odometry = wish.layers.has(Layer::odometry);
+    content.style.axes = wish.axes;
+    content.style.legend = wish.legend;
+    content.style.heading = wish.title.toStdString();
     const VectorDrawing drawing = map_figure(content);
     Picture picture;
     picture.size = QSizeF(drawing.width, drawing.height) / wish.mm_per_point;
@@ -144,7 +143,9 @@ LayerSet GridView::drawable() const {
     LayerSet layers;
     layers.set(Layer::path, !path_.empty());
     layers.set(Layer::reference, reference_map_ || !reference_path_.empty());
-    const bool landmarks = !snapshot_ && !landmarks_.map.empty();
+    const bool traced = std::ranges::any_of(
+        traces_, [](const RunTrace& trace) { return !trace.landmarks.map.empty(); });
+    const bool landmarks = traced || (!snapshot_ && !landmarks_.map.empty());
     for (const Layer layer : {Layer::landmarks, Layer::endless, Layer::names}) {
         layers.set(layer, landmarks);
     }

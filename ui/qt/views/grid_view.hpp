@@ -51,6 +51,9 @@ class GridView final : public CanvasView {
 
   protected:
     void paint_scene(QPainter& painter, const Scene& scene) const override;
+    const Colours& layer_colours(const Colours& /*screen*/) const override {
+        return light_colours();
+    }
     QString file_name() const override { return QStringLiteral("map"); }
     LayerSet drawable() const override;
     QRectF content() const override;

@@ -25,15 +25,14 @@ QString ending_of(const QString& path) {
     return QFileInfo(path).suffix().toLower();
 }
 
-QByteArray pixels_of(const QImage& image, const QString& path) {
+QByteArray pixels_of(const QImage& image, const QString& ending) {
     constexpr int kJpegQuality = 95;
-    const bool jpeg = ending_of(path) != "png";
+    const bool jpeg = ending != "png";
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     if (!image.save(&buffer, jpeg ? "JPG" : "PNG", jpeg ? kJpegQuality : -1)) {
-        throw FileError(
-            path.toStdString(),
+        throw Error(
             verbatim(picture_words(QT_TRANSLATE_NOOP("Picture", "the picture could not be encoded"))
                          .toStdString()));
     }
@@ -73,10 +72,6 @@ QByteArray pdf_of(const Picture& picture) {
         picture.paint(device, by_of(picture));
     }
     return bytes;
-}
-
-void write_bytes(const QByteArray& bytes, const QString& path) {
-    write_file(path.toStdString(), {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
 void check_ending(const QString& path, const QStringList& known) {
@@ -124,20 +119,25 @@ QString picture_filter() {
     return picture_words(QT_TRANSLATE_NOOP("Picture", "Pictures (*.png *.jpg *.jpeg *.svg *.pdf)"));
 }
 
+QByteArray encoded(const Picture& picture, const QString& ending) {
+    if (picture.shapes && (ending == "svg" || ending == "pdf")) return picture.shapes(ending);
+    if (ending == "svg") return svg_of(picture);
+    if (ending == "pdf") return pdf_of(picture);
+    return pixels_of(image_of(picture), ending);
+}
+
+void write_bytes(const QByteArray& bytes, const QString& path) {
+    write_file(path.toStdString(), {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+}
+
 void write_picture(const Picture& picture, const QString& path) {
     check_ending(path, {"png", "jpg", "jpeg", "svg", "pdf"});
-    const QString ending = ending_of(path);
-    if (picture.shapes && (ending == "svg" || ending == "pdf")) {
-        return write_bytes(picture.shapes(ending), path);
-    }
-    if (ending == "svg") return write_bytes(svg_of(picture), path);
-    if (ending == "pdf") return write_bytes(pdf_of(picture), path);
-    write_bytes(pixels_of(image_of(picture), path), path);
+    write_bytes(encoded(picture, ending_of(path)), path);
 }
 
 void write_image(const QImage& image, const QString& path) {
     check_ending(path, {"png", "jpg", "jpeg"});
-    write_bytes(pixels_of(image, path), path);
+    write_bytes(pixels_of(image, ending_of(path)), path);
 }
 
 }  // namespace hitos::window

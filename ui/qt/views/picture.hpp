@@ -36,6 +36,10 @@ QImage image_of(const Picture& picture);
 /// To the clipboard, in pixels.
 void copy(const Picture& picture);
 
+/// The content of a file of that ending ("jpg", "svg" …). Throws hitos::Error.
+QByteArray encoded(const Picture& picture, const QString& ending);
+/// Atomically. Throws hitos::FileError.
+void write_bytes(const QByteArray& bytes, const QString& path);
 /// The endings that write_picture() knows, for a file dialog.
 QString picture_filter();
 /// Writes the picture atomically as the ending says: .png, .jpg and .jpeg of pixels, .svg and .pdf

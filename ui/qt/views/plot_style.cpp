@@ -49,7 +49,8 @@ FigureOffer figure_of(QCustomPlot& plot, std::function<void(const Colours&)> sty
             painter.fillRect(QRectF(0.0, 0.0, wish.points(), high + top), wish.ground());
             painter.translate(0.0, top);
             FigureFrame(wish, plot.font(), false)
-                .paint(painter, {{}, QSizeF(wish.points(), high), 1.0, *wish.colours});
+                .paint(painter, {{}, QSizeF(wish.points(), high), 1.0, *wish.colours},
+                       *wish.colours);
             plot.toPainter(&painter, qRound(wish.points()), qRound(high));
             style(colours());
         };

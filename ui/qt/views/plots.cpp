@@ -348,8 +348,9 @@ void Plots::hide_values() {
 }
 
 Exportable Plots::exportable() {
-    return {
-        tr("Plots"), "plots", font(), {figure_of(*plot_, [this](const Colours& c) { style(c); })}};
+    return {tr("Plots"), "plots", plot_font(font()), {figure_of(*plot_, [this](const Colours& c) {
+                style(c);
+            })}};
 }
 
 const Plots::Shown* Plots::find(Figure figure) const {

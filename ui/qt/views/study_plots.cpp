@@ -258,8 +258,9 @@ void StudyPlots::explain(const QPoint& place) {
 }
 
 Exportable StudyPlots::exportable() {
-    return {
-        tr("Study"), "study", font(), {figure_of(*plot_, [this](const Colours& c) { style(c); })}};
+    return {tr("Study"), "study", plot_font(font()), {figure_of(*plot_, [this](const Colours& c) {
+                style(c);
+            })}};
 }
 
 int StudyPlots::means() const {

@@ -12,7 +12,10 @@ namespace hitos {
 /// What of a figure is drawn, and how large.
 struct MapFigureStyle {
     double width_mm = 85.0;  ///< at most, and a map that is no taller than it is broad has it
-    bool uncertainty = true;
+    bool landmarks = true;
+    bool uncertainty = true;  ///< of landmarks
+    bool path = true;
+    bool odometry = true;
     bool axes = true;
     bool legend = true;        ///< with a scale bar
     std::string heading = {};  ///< above it; empty: none

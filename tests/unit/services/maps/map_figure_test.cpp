@@ -17,6 +17,7 @@ namespace hitos {
 namespace {
 
 using test::message_of;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -95,6 +96,33 @@ TEST_F(MapFigureTest, LegendNamesWhatIsThere) {
     EXPECT_THAT(svg, HasSubstr(">line landmarks<"));
     for (const char* absent : {"uncertainty", "corner", "odometry"}) {
         EXPECT_THAT(svg, Not(HasSubstr(absent)));
+    }
+}
+
+TEST_F(MapFigureTest, NarrowOnesHaveRoomForTheirWords) {
+    for (const double width_mm : {30.0, 36.0, 50.0, 60.0, 71.0, 85.0, 400.0}) {
+        MapFigureContent content{"log", map_.map, map_.segments, map_.path, odometry_};
+        content.style.width_mm = width_mm;
+        content.style.heading.assign(90, 'W');
+        const VectorDrawing drawing = map_figure(content);
+        const std::string svg = svg_text(drawing);
+        EXPECT_THAT(svg, Not(HasSubstr("nan"))) << width_mm;
+        EXPECT_LT(drawing.width, width_mm + 1e-9) << width_mm;
+        // Words of the legend have 20 mm at least, up to the next column or the edge.
+        const auto& words = layer(drawing, "legend")->texts;
+        for (const DrawnText& text : words) {
+            double next = drawing.width;
+            for (const DrawnText& other : words) {
+                if (other.at.y == text.at.y && other.at.x > text.at.x) {
+                    next = std::min(next, other.at.x);
+                }
+            }
+            const double least = text.text.ends_with(" m") ? 8.0 : std::min(20.0, width_mm - 12.0);
+            EXPECT_GT(next - text.at.x, least) << width_mm << text.text;
+        }
+        if (width_mm < 100.0) {
+            EXPECT_THAT(layer(drawing, "heading")->texts[0].text, EndsWith("W\xe2\x80\xa6"));
+        }
     }
 }
 
