@@ -82,7 +82,7 @@ void Layouts::within(const QString& group, const std::function<void()>& use) {
 
 void Layouts::present(bool on) {
     if (!on) {
-        set_letters(font_);
+        qApp->setStyleSheet(qApp->styleSheet().remove(letters_));
         switches_.alone->setChecked(false);
         within(kBefore, means_.restore);
         settings_.remove(kBefore);
@@ -90,19 +90,12 @@ void Layouts::present(bool on) {
     }
     switches_.alone->setChecked(false);
     within(kBefore, means_.save);
-    font_ = QApplication::font();
-    QFont large = font_;
-    large.setPointSizeF(font_.pointSizeF() * kLarger);
-    set_letters(large);
+    // A font of the program's reaches no widget where it has a style sheet.
+    letters_ = QString("\n* { font-size: %1pt; }").arg(QApplication::font().pointSizeF() * kLarger);
+    qApp->setStyleSheet(qApp->styleSheet() + letters_);
     for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) dock->hide();
     switches_.summary->setChecked(false);
     switches_.alone->setChecked(true);
-}
-
-/// A window that has a style of its own does not follow the program's.
-void Layouts::set_letters(const QFont& font) {
-    QApplication::setFont(font);
-    window_.setFont(font);
 }
 
 void Layouts::end_presenting() {

@@ -1,8 +1,8 @@
 // How the window is laid out: by names that the user gives, and for a classroom.
 #pragma once
 
-#include <QFont>
 #include <QObject>
+#include <QString>
 #include <functional>
 
 class QAction;
@@ -45,7 +45,6 @@ class Layouts final : public QObject {
     /// With that group open.
     void within(const QString& group, const std::function<void()>& use);
     void present(bool on);
-    void set_letters(const QFont& font);
 
     QMainWindow& window_;
     QMenu& menu_;
@@ -53,7 +52,7 @@ class Layouts final : public QObject {
     QSettings& settings_;
     Prompts& prompts_;
     Means means_;
-    QFont font_;  ///< before presenting
+    QString letters_;  ///< what presenting adds to the style sheet
 };
 
 }  // namespace hitos::window
