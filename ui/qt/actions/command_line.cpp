@@ -87,8 +87,10 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
     program.add_flag("--run", out.run, "Start running at once");
     program
         .add_option("--vary", out.vary,
-                    "Open the study of a parameter with these values, e.g. dmax=0.01,0.02")
-        ->type_name("NAME=VALUES");
+                    "Open the study of a parameter with these values, e.g. dmax=0.01,0.02; may be "
+                    "repeated once")
+        ->type_name("NAME=VALUES")
+        ->allow_extra_args(false);
     program.add_option("--study-runs", out.study_runs, "Runs of each value of the study")
         ->check(CLI::Range(1, 1000000));
     program.add_option("--study-folder", out.study_folder, "Folder for the results of the study");
@@ -125,6 +127,10 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
     manual::add_description(program);
     try {
         program.parse(argc, argv);
+        if (out.vary.size() > 2) {
+            throw CLI::ArgumentMismatch(fmt::format(
+                "--vary: found {} parameters; a study varies two at the most", out.vary.size()));
+        }
     } catch (const CLI::ParseError& error) {
         return program.exit(error);
     }

@@ -26,7 +26,7 @@ struct CommandLine {
     std::string theme;
     std::string size;
     bool run = false;
-    std::string vary;  ///< what to study, "dmax=0.01,0.02"; empty: no study
+    std::vector<std::string> vary;  ///< what to study, "dmax=0.01,0.02"; empty: no study
     std::string study_folder;
     int study_runs = 5;  ///< of each value
     // Pictures for documents.

@@ -48,7 +48,7 @@ std::span<const HelpPlace> help_places() {
         {"joint_dock", "the-joint-covariance"},
         {"runs_dock", "comparing-runs"},
         {"compare_window", "comparing-runs"},
-        {"StudyDialog", "study-of-one-parameter"},
+        {"StudyDialog", "studies"},
         {"export", "pictures-and-results"},
         {"animation", "pictures-and-results"},
         {"guide_window", "help"},

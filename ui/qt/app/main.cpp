@@ -35,7 +35,7 @@ using namespace hitos::window;  // the program is nothing but the window
 using hitos::StopByRequest;
 
 void prepare_study(StudyDialog& study, const CommandLine& line) {
-    study.form().set_assignment(QString::fromStdString(line.vary));
+    study.form().set_assignments(line.vary);
     study.form().set_runs(line.study_runs);
     if (!line.study_folder.empty()) {
         study.form().set_folder(QString::fromStdString(line.study_folder));

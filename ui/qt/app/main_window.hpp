@@ -63,7 +63,7 @@ class MainWindow final : public QMainWindow {
     QDockWidget& plots_dock() const { return *dock_; }
     /// Offers ways to begin to who has neither settings nor recent files.
     void offer_start();
-    /// Shows the study of one parameter.
+    /// Shows the study of parameters.
     StudyDialog& open_study();
     /// Shows the world to drive a robot through.
     WorldWindow& open_world_window();

@@ -92,7 +92,7 @@ void MainWindow::show_keys() {
         {"M, Shift+M", tr("measure a distance, an angle")},
         {"Ctrl+Shift+M", tr("what was measured")},
         {"Ctrl+K, Ctrl+Shift+K", tr("compare runs, the list of runs")},
-        {"Ctrl+E", tr("study of one parameter")},
+        {"Ctrl+E", tr("study of parameters")},
         {"Ctrl+T, Ctrl+F", tr("world frame, follow the robot")},
         {"Alt+1 … Alt+9", tr("layers")},
         {"+, −, F, WASD", tr("zoom, fit and move the view in use")},

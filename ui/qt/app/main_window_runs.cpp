@@ -86,10 +86,17 @@ StudyDialog& MainWindow::open_study() {
         study_ = new StudyDialog(session_, files_, prompts_, this);
         connect(study_, &StudyDialog::run_wanted, configuration_,
                 &ConfigurationActions::look_at_run);
-        connect(study_, &StudyDialog::run_wanted, this, [this] {
+        connect(study_, &StudyDialog::values_wanted, configuration_,
+                [this](const Configuracion& configuration, const QString& values) {
+                    if (!configuration_->use_again(configuration)) return;
+                    status_->notice(tr("Set as in the study: %1. Undo takes it back").arg(values));
+                });
+        const auto come_forward = [this] {
             raise();
             activateWindow();
-        });
+        };
+        connect(study_, &StudyDialog::run_wanted, this, come_forward);
+        connect(study_, &StudyDialog::values_wanted, this, come_forward);
     }
     if (study_->isVisible()) study_->raise();
     study_->show();

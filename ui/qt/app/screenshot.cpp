@@ -78,7 +78,7 @@ void show_map(MapWindow* map, const CommandLine& line) {
 void show_study(MainWindow& window, const CommandLine& line) {
     const QTemporaryDir scratch;
     StudyDialog& study = window.open_study();
-    study.form().set_assignment(QString::fromStdString(line.vary));
+    study.form().set_assignments(line.vary);
     study.form().set_runs(line.study_runs);
     const QString folder = line.study_folder.empty() ? scratch.filePath("study")
                                                      : QString::fromStdString(line.study_folder);

@@ -10,6 +10,7 @@
 #include "export_dialog.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "look/screen_fit.hpp"
 #include "look/theme.hpp"
 #include "look/words_of.hpp"
@@ -42,6 +43,7 @@ QString first_failure(const StudyOutcome& outcome) {
 StudyDialog::StudyDialog(Session& session, UserFiles& files, Prompts& prompts, QWidget* parent)
     : QDialog(parent, Qt::Window),
       ui_(make_ui(this)),
+      session_(session),
       files_(files),
       prompts_(prompts),
       form_(*ui_, session, files, prompts, this) {
@@ -56,6 +58,9 @@ StudyDialog::StudyDialog(Session& session, UserFiles& files, Prompts& prompts, Q
     connect(ui_->save, &QPushButton::clicked, this, &StudyDialog::save_plot);
     connect(ui_->plots, &StudyPlots::picture_wanted, this, &StudyDialog::save_plot);
     connect(ui_->open_run, &QPushButton::clicked, this, &StudyDialog::open_run);
+    connect(ui_->use, &QPushButton::clicked, this, &StudyDialog::use_values);
+    connect(ui_->plots, &StudyPlots::use_wanted, this, &StudyDialog::use_values);
+    connect(ui_->plots, &StudyPlots::choice_changed, this, &StudyDialog::show_state);
     connect(ui_->open_folder, &QPushButton::clicked, this, [this] {
         QDesktopServices::openUrl(
             QUrl::fromLocalFile(QString::fromStdString(layout_.folder.string())));
@@ -88,6 +93,7 @@ void StudyDialog::show_state() {
     ui_->save->setEnabled(!ui_->plots->empty());
     ui_->open_folder->setEnabled(!layout_.folder.empty());
     ui_->open_run->setEnabled(!ui_->plots->empty());
+    ui_->use->setEnabled(ui_->plots->chosen().has_value());
 }
 
 void StudyDialog::show_verdict(const QString& words, const char* role) {
@@ -233,6 +239,17 @@ void StudyDialog::open_run() {
         prompts_.choice(this, tr("Open a run of the study"), tr("Run to look at:"), words);
     if (!chosen) return;
     emit run_wanted(job_of(study_, plan, runs[static_cast<std::size_t>(*chosen)]).configuration);
+}
+
+/// What is not the study's own stays: log and seed among it.
+void StudyDialog::use_values() {
+    const StudyPlan& plan = *runner_.plan();
+    const std::size_t cell = *ui_->plots->chosen();
+    const std::vector<std::string> keys = plan.keys();
+    const std::vector<std::string> texts = plan.texts(cell);
+    Configuracion next = session_.configuration();
+    for (std::size_t i = 0; i < keys.size(); ++i) find_parameter(keys[i]).set(next, texts[i]);
+    emit values_wanted(next, QString::fromStdString(plan.cell_label(cell)));
 }
 
 void StudyDialog::save_plot() {

@@ -1,4 +1,4 @@
-// A study of one parameter, from its plan to its plots [T 8.2.2.11, 10.4].
+// A study, from its plan to its plots [T 8.2.2.11, 10.4].
 #pragma once
 
 #include <QDialog>
@@ -40,6 +40,8 @@ class StudyDialog final : public QDialog {
     void ended();
     /// The user wants to look at this run.
     void run_wanted(const hitos::Configuracion& configuration);
+    /// The user wants the session's configuration with values of the study: "dmax=0.02 p=5".
+    void values_wanted(const hitos::Configuracion& configuration, const QString& values);
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -54,8 +56,10 @@ class StudyDialog final : public QDialog {
     void show_verdict(const QString& words, const char* role);
     void save_plot();
     void open_run();
+    void use_values();
 
     std::unique_ptr<Ui::StudyDialog> ui_;
+    Session& session_;
     UserFiles& files_;
     Prompts& prompts_;
     StudyForm form_;

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <thread>
 
 #include "hitos/base/error.hpp"
@@ -20,37 +21,30 @@
 namespace hitos::window {
 namespace {
 
-constexpr const char* kDash = " — ";
-
-/// "dmax — D max": the name to use, then what it stands for.
-QString item_of(std::string_view name, const std::vector<std::string_view>& keys) {
-    QStringList labels;
-    for (const std::string_view key : keys) labels << label_of(find_parameter(key));
-    return to_qt(name) + kDash + labels.join(", ");
-}
-
-/// "0.5; 1.3; …": what is going to be run.
-QString as_read(const std::vector<StudyValue>& values) {
-    constexpr int kMost = 8;
-    QStringList shown;
-    for (const StudyValue& value : values) {
-        if (shown.size() == kMost) {
-            shown << "…";
-            break;
-        }
-        QStringList parts;
-        for (const std::string& part : value) parts << QString::fromStdString(part);
-        shown << parts.join('/');
-    }
-    return shown.join("; ");
-}
-
-/// The study's value in the user's configuration. Throws ConfigError.
-void try_value(Configuracion configuration, const StudyParameter& parameter,
+void set_value(Configuracion& configuration, const StudyParameter& parameter,
                const StudyValue& value) {
     for (std::size_t i = 0; i < parameter.keys.size(); ++i)
         find_parameter(parameter.keys[i]).set(configuration, value[i]);
-    check(configuration);
+}
+
+/// Throws ConfigError where the user's configuration cannot have the value with any value of the
+/// other parameter (null: there is none). What is wrong with the other one is told there.
+void try_value(Configuracion configuration, const StudyParameter& parameter,
+               const StudyValue& value, const StudyParameter* other) {
+    set_value(configuration, parameter, value);
+    if (other == nullptr) return check(configuration);
+    std::exception_ptr reason;
+    for (const StudyValue& beside : other->values) {
+        try {
+            Configuracion pair = configuration;
+            set_value(pair, *other, beside);
+            return check(pair);
+        } catch (const ConfigError& error) {
+            if (std::ranges::find(other->keys, error.key()) == other->keys.end())
+                reason = std::current_exception();
+        }
+    }
+    if (reason) std::rethrow_exception(reason);
 }
 
 }  // namespace
@@ -62,28 +56,33 @@ StudyForm::StudyForm(Ui::StudyDialog& ui, Session& session, UserFiles& files, Pr
       session_(session),
       files_(files),
       prompts_(prompts),
-      dialog_(dialog) {
+      dialog_(dialog),
+      rows_{new StudyRow({ui.parameter, ui.error_parameter, ui.parameter_hint, ui.values_label,
+                          ui.values, ui.error_values, ui.values_hint},
+                         session, false, this),
+            new StudyRow({ui.parameter_2, ui.error_parameter_2, ui.parameter_hint_2,
+                          ui.values_label_2, ui.values_2, ui.error_values_2, ui.values_hint_2},
+                         session, true, this)} {
     fill();
     restore();
     clear_errors();
     show_source();
-    explain_parameter();
-    connect(&session_, &Session::configuration_changed, this, [this] {
-        show_source();
-        explain_parameter();
-    });
-    connect(ui_.parameter, &QComboBox::currentTextChanged, this, &StudyForm::explain_parameter);
-    connect(ui_.values, &QLineEdit::textChanged, this, &StudyForm::explain_values);
-    connect(ui_.runs, &QSpinBox::valueChanged, this, &StudyForm::explain_values);
+    count_runs();
+    connect(&session_, &Session::configuration_changed, this, &StudyForm::show_source);
+    for (const StudyRow* row : rows_) {
+        connect(row, &StudyRow::changed, this, &StudyForm::count_runs);
+        connect(row->fields().parameter, &QComboBox::currentTextChanged, this,
+                [this, row] { clear_errors(*row); });
+        connect(row->fields().values, &QLineEdit::textChanged, this,
+                [this, row] { clear_errors(*row); });
+    }
+    connect(ui_.runs, &QSpinBox::valueChanged, this, &StudyForm::count_runs);
     connect(ui_.noise, &QDoubleSpinBox::valueChanged, this,
             [this](double level) { ui_.noise_kind->setEnabled(level > 0.0); });
     connect(ui_.reference_browse, &QPushButton::clicked, this, &StudyForm::browse_reference);
     connect(ui_.folder_browse, &QPushButton::clicked, this, &StudyForm::browse_folder);
     // What is being mended is no longer told to be wrong.
-    connect(ui_.parameter, &QComboBox::editTextChanged, this,
-            [this] { set_error(*ui_.parameter, *ui_.error_parameter, {}); });
-    const std::array<std::pair<QLineEdit*, QLabel*>, 4> lines{{{ui_.values, ui_.error_values},
-                                                               {ui_.seed, ui_.error_seed},
+    const std::array<std::pair<QLineEdit*, QLabel*>, 3> lines{{{ui_.seed, ui_.error_seed},
                                                                {ui_.reference, ui_.error_reference},
                                                                {ui_.folder, ui_.error_folder}}};
     for (const auto& [line, label] : lines) {
@@ -93,18 +92,6 @@ StudyForm::StudyForm(Ui::StudyDialog& ui, Session& session, UserFiles& files, Pr
 }
 
 void StudyForm::fill() {
-    for (const ThesisParameter& thesis : thesis_parameters()) {
-        ui_.parameter->addItem(item_of(thesis.name, thesis.keys));
-        ui_.parameter->setItemData(ui_.parameter->count() - 1, words_of(marked(thesis.meaning)),
-                                   Qt::ToolTipRole);
-    }
-    ui_.parameter->insertSeparator(ui_.parameter->count());
-    for (const ConfigParameter& parameter : parameters()) {
-        if (!can_be_varied(parameter) || parameter.type == ConfigParameter::Type::text) continue;
-        ui_.parameter->addItem(item_of(parameter.key, {parameter.key}));
-        ui_.parameter->setItemData(ui_.parameter->count() - 1, description_of(parameter),
-                                   Qt::ToolTipRole);
-    }
     for (const OdometryNoiseFacts& kind : kOdometryNoiseKinds) {
         ui_.noise_kind->addItem(
             QCoreApplication::translate("ParameterChoice", std::string(kind.label).c_str()));
@@ -114,8 +101,11 @@ void StudyForm::fill() {
 
 void StudyForm::restore() {
     QSettings& settings = files_.settings();
-    const QString name = settings.value("study/parameter", "dmax").toString();
-    set_assignment(name + '=' + settings.value("study/values").toString());
+    const auto kept = [&settings](const char* name, const char* otherwise) {
+        return settings.value(QString("study/") + name, otherwise).toString().toStdString();
+    };
+    set_assignments({kept("parameter", "dmax") + '=' + kept("values", ""),
+                     kept("parameter_2", "") + '=' + kept("values_2", "")});
     ui_.runs->setValue(settings.value("study/runs", ui_.runs->value()).toInt());
     ui_.noise->setValue(settings.value("study/noise", 0.0).toDouble());
     ui_.noise_kind->setCurrentIndex(settings.value("study/noise_kind", 0).toInt());
@@ -131,8 +121,10 @@ void StudyForm::restore() {
 
 void StudyForm::remember() {
     QSettings& settings = files_.settings();
-    settings.setValue("study/parameter", parameter());
-    settings.setValue("study/values", values());  // as the command line has them
+    settings.setValue("study/parameter", rows_[0]->parameter());
+    settings.setValue("study/values", rows_[0]->values());  // as the command line has them
+    settings.setValue("study/parameter_2", rows_[1]->parameter());
+    settings.setValue("study/values_2", rows_[1]->values());
     settings.setValue("study/runs", ui_.runs->value());
     settings.setValue("study/noise", ui_.noise->value());
     settings.setValue("study/noise_kind", ui_.noise_kind->currentIndex());
@@ -142,16 +134,9 @@ void StudyForm::remember() {
     settings.setValue("study/folder", ui_.folder->text());
 }
 
-void StudyForm::set_assignment(const QString& assignment) {
-    const QString name = assignment.section('=', 0, 0).trimmed();
-    const int place = ui_.parameter->findText(name + kDash, Qt::MatchStartsWith);
-    if (place >= 0) {
-        ui_.parameter->setCurrentIndex(place);
-    } else {
-        ui_.parameter->setEditText(name);
-    }
-    // As the command line has it: there a comma is never a decimal one.
-    ui_.values->setText(assignment.section('=', 1).replace(',', decimal_comma() ? "; " : ","));
+void StudyForm::set_assignments(const std::vector<std::string>& assignments) {
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        rows_.at(i)->set_assignment(i < assignments.size() ? assignments[i] : std::string());
 }
 
 void StudyForm::set_runs(int runs) {
@@ -162,27 +147,6 @@ void StudyForm::set_folder(const QString& folder) {
     ui_.folder->setText(QDir::toNativeSeparators(folder));
 }
 
-QString StudyForm::parameter() const {
-    return ui_.parameter->currentText().section(kDash, 0, 0).trimmed();
-}
-
-/// Whole numbers and words have no decimal commas.
-QString StudyForm::values() const {
-    bool fractions = true;
-    try {
-        const auto& keys = find_study_parameter(parameter().toStdString()).keys;
-        fractions = std::ranges::any_of(keys, [](const std::string& key) {
-            return find_parameter(key).type == ConfigParameter::Type::real;
-        });
-    } catch (const Error&) {  // half written
-    }
-    return list_with_points(ui_.values->text(), fractions);
-}
-
-QString StudyForm::assignment() const {
-    return parameter() + '=' + values();
-}
-
 void StudyForm::show_source() {
     const QString file = QString::fromStdString(session_.configuration().source.file);
     ui_.source_title->setText(ui_.source_title->fontMetrics().elidedText(
@@ -190,42 +154,18 @@ void StudyForm::show_source() {
     ui_.source_title->setToolTip(QDir::toNativeSeparators(file));
 }
 
-/// What the parameter means, what it may be and what it is now, key by key.
-void StudyForm::explain_parameter() {
-    QStringList lines;
+void StudyForm::count_runs() {
+    QString words;
     try {
-        for (const std::string& key : find_study_parameter(parameter().toStdString()).keys) {
-            const ConfigParameter& known = find_parameter(key);
-            lines << tr("%1 Allowed: %2. Now: %3.")
-                         .arg(description_of(known), allowed_of(known),
-                              value_with_unit(known, session_.configuration()));
+        auto runs = static_cast<double>(ui_.runs->value());
+        for (const StudyRow* row : rows_) {
+            if (row->in_use()) runs *= static_cast<double>(row->parsed().values.size());
         }
-        if (lines.size() > 1) lines << tr("Join the parts of a value by “/”.");
+        words = tr("Runs in all: %1").arg(runs, 0, 'f', 0);
     } catch (const Error&) {
-        lines = {tr("A name from the list, or keys joined by “+”.")};
+        // Likewise.
     }
-    ui_.parameter_hint->setText(lines.join('\n'));
-    explain_values();
-}
-
-void StudyForm::explain_values() {
-    QString words =
-        decimal_comma()
-            ? tr("Values with semicolons or blanks between them, or a range from:to:step.")
-            : tr("Values with commas, semicolons or blanks between them, or a range "
-                 "from:to:step.");
-    try {
-        if (!ui_.values->text().trimmed().isEmpty()) {
-            const auto values = parse_study_parameter(assignment().toStdString()).values;
-            words = tr("Values: %1 (%2). Runs in all: %3.")
-                        .arg(values.size())
-                        .arg(as_read(values))
-                        .arg(values.size() * static_cast<std::size_t>(ui_.runs->value()));
-        }
-    } catch (const Error&) {
-        // Perhaps just half written; read() tells.
-    }
-    ui_.values_hint->setText(words);
+    ui_.all_runs->setText(words);
 }
 
 void StudyForm::browse_reference() {
@@ -252,34 +192,57 @@ void StudyForm::set_error(QWidget& editor, QLabel& label, const QString& words) 
     if (!words.isEmpty() && first_wrong_ == nullptr) first_wrong_ = &editor;
 }
 
+void StudyForm::clear_errors(const StudyRow& row) {
+    set_error(*row.fields().parameter, *row.fields().parameter_error, {});
+    set_error(*row.fields().values, *row.fields().values_error, {});
+}
+
 void StudyForm::clear_errors() {
     first_wrong_ = nullptr;
-    set_error(*ui_.parameter, *ui_.error_parameter, {});
-    set_error(*ui_.values, *ui_.error_values, {});
+    for (const StudyRow* row : rows_) {
+        clear_errors(*row);
+    }
     set_error(*ui_.seed, *ui_.error_seed, {});
     set_error(*ui_.reference, *ui_.error_reference, {});
     set_error(*ui_.folder, *ui_.error_folder, {});
 }
 
+std::optional<StudyParameter> StudyForm::read_parameter(const StudyRow& row) {
+    const StudyRowFields& fields = row.fields();
+    try {
+        find_study_parameter(row.parameter().toStdString());
+    } catch (const Error& error) {
+        set_error(*fields.parameter, *fields.parameter_error, words_of(error));
+        return std::nullopt;
+    }
+    QString problem = tr("Write at least one value.");
+    try {
+        if (!fields.values->text().trimmed().isEmpty()) return row.parsed();
+    } catch (const Error& error) {
+        problem = words_of(error);
+    }
+    set_error(*fields.values, *fields.values_error, problem);
+    return std::nullopt;
+}
+
 void StudyForm::read_values(Study& study) {
-    try {
-        find_study_parameter(parameter().toStdString());
-    } catch (const Error& error) {
-        set_error(*ui_.parameter, *ui_.error_parameter, words_of(error));
-        return;
+    std::array<std::optional<StudyParameter>, 2> chosen;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        if (rows_.at(i)->in_use()) chosen.at(i) = read_parameter(*rows_.at(i));
     }
-    if (ui_.values->text().trimmed().isEmpty()) {
-        set_error(*ui_.values, *ui_.error_values, tr("Write at least one value."));
-        return;
-    }
-    try {
-        const StudyParameter chosen = parse_study_parameter(assignment().toStdString());
-        for (const StudyValue& value : chosen.values) {
-            try_value(session_.configuration(), chosen, value);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        if (!chosen.at(i)) continue;
+        const auto& other = chosen.at(1 - i);
+        try {
+            for (const StudyValue& value : chosen.at(i)->values) {
+                try_value(session_.configuration(), *chosen.at(i), value,
+                          other ? &*other : nullptr);
+            }
+            study.parameters.push_back(*chosen.at(i));
+        } catch (const Error& error) {
+            const StudyRowFields& fields = rows_.at(i)->fields();
+            set_error(*fields.values, *fields.values_error, words_of(error));
         }
-        study.parameters = {chosen};
-    } catch (const Error& error) {
-        set_error(*ui_.values, *ui_.error_values, words_of(error));
     }
 }
 
@@ -338,7 +301,9 @@ bool StudyForm::blame(const StudyProblem& problem) {
     } else if (problem.key == "seed") {
         set_error(*ui_.seed, *ui_.error_seed, problem.words);
     } else if (!problem.key.empty()) {
-        set_error(*ui_.values, *ui_.error_values, problem.words);
+        const bool second = rows_[1]->in_use() && rows_[1]->names(problem.key);
+        const StudyRowFields& fields = rows_.at(second ? 1 : 0)->fields();
+        set_error(*fields.values, *fields.values_error, problem.words);
     }
     if (first_wrong_ == nullptr) return false;
     first_wrong_->setFocus();

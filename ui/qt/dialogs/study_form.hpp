@@ -2,11 +2,15 @@
 #pragma once
 
 #include <QObject>
+#include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "look/prompts.hpp"
 #include "look/user_files.hpp"
 #include "session/session.hpp"
+#include "study_row.hpp"
 #include "workers/study_runner.hpp"
 
 class QLabel;
@@ -32,8 +36,8 @@ class StudyForm final : public QObject {
     StudyForm(Ui::StudyDialog& ui, Session& session, UserFiles& files, Prompts& prompts,
               QWidget* dialog);
 
-    /// "dmax=0.01,0.02", as the command line takes it.
-    void set_assignment(const QString& assignment);
+    /// "dmax=0.01,0.02", as the command line takes it; of one parameter or two.
+    void set_assignments(const std::vector<std::string>& assignments);
     void set_runs(int runs);
     void set_folder(const QString& folder);
 
@@ -48,15 +52,13 @@ class StudyForm final : public QObject {
     void fill();
     void restore();
     void show_source();
-    void explain_parameter();
-    void explain_values();
+    void count_runs();
     void browse_reference();
     void browse_folder();
-    QString parameter() const;
-    QString assignment() const;
-    QString values() const;
     void set_error(QWidget& editor, QLabel& label, const QString& words);
+    void clear_errors(const StudyRow& row);
     void clear_errors();
+    std::optional<StudyParameter> read_parameter(const StudyRow& row);
     void read_values(Study& study);
     void read_seed(Study& study);
     void read_reference(Study& study);
@@ -67,6 +69,7 @@ class StudyForm final : public QObject {
     UserFiles& files_;
     Prompts& prompts_;
     QWidget* dialog_;
+    std::array<StudyRow*, 2> rows_;
     QWidget* first_wrong_ = nullptr;
 };
 

@@ -6,6 +6,10 @@
 #include <QStyleFactory>
 #include <QStyleHints>
 #include <QWidget>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 
 namespace hitos::window {
 namespace {
@@ -199,6 +203,19 @@ const Colours& colours() {
 const Colours& light_colours() {
     static const Colours light = make_light();
     return light;
+}
+
+QColor heat_colour(double share) {
+    constexpr std::array<std::array<double, 3>, 5> kStops{
+        {{252, 244, 196}, {248, 190, 104}, {226, 112, 76}, {150, 44, 104}, {48, 16, 84}}};
+    const double place = std::clamp(share, 0.0, 1.0) * (kStops.size() - 1);
+    const std::size_t below = std::min(static_cast<std::size_t>(place), kStops.size() - 2);
+    const double part = place - static_cast<double>(below);
+    const auto mixed = [&](std::size_t channel) {
+        return static_cast<int>(std::lround(
+            std::lerp(kStops.at(below).at(channel), kStops.at(below + 1).at(channel), part)));
+    };
+    return {mixed(0), mixed(1), mixed(2)};
 }
 
 void apply_theme(QApplication& application, Theme theme) {

@@ -31,6 +31,9 @@ const Colours& colours();
 /// The light colours, whatever is in use: saved pictures are for paper.
 const Colours& light_colours();
 
+/// Of a share from 0 to 1, from light to dark; told apart by the colour-blind and in grey too.
+QColor heat_colour(double share);
+
 /// Gives the application style, palette and style sheet. `system` follows the platform's palette as
 /// it was when the application started.
 void apply_theme(QApplication& application, Theme theme);

@@ -4,7 +4,7 @@
 
 #include <QBuffer>
 #include <QContextMenuEvent>
-#include <QCoreApplication>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QPageSize>
 #include <QPdfWriter>
@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "plot_style.hpp"
+#include "study_heat.hpp"
 
 namespace hitos::window {
 namespace {
@@ -25,16 +26,6 @@ constexpr int kTop = 4;
 constexpr int kRight = 10;
 constexpr int kBottom = 20;
 constexpr double kRoom = 0.06;  // of the axis, at both ends
-
-/// "Map error"
-QString axis_words(const Measure& measure) {
-    QString words = QCoreApplication::translate("Measure", measure.plot.c_str());
-    return words.replace(0, 1, words.left(1).toUpper());
-}
-
-QString unit_of(const Measure& measure) {
-    return QString::fromStdString(printed_unit(measure.unit));
-}
 
 QString title_words(const Measure& measure) {
     const QString unit = unit_of(measure);
@@ -62,12 +53,28 @@ const Measure& quality_of(const StudyPlan& plan, const std::vector<StudyCell>& c
     return run_measures().find("blur_m2");
 }
 
+/// What is chosen is for the screen alone.
+class ChoiceLine final : public QCPItemStraightLine {
+  public:
+    using QCPItemStraightLine::QCPItemStraightLine;
+
+  protected:
+    void draw(QCPPainter* painter) override {
+        if (!painter->modes().testFlag(QCPPainter::pmVectorized))
+            QCPItemStraightLine::draw(painter);
+    }
+};
+
 }  // namespace
 
-StudyPlots::StudyPlots(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
+StudyPlots::StudyPlots(QWidget* parent)
+    : QWidget(parent), plot_(new QCustomPlot(this)), heat_(new StudyHeat(this)) {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    column->setContentsMargins(1, 1, 1, 1);  // where one sees that it has the keyboard
+    column->setSpacing(0);
     column->addWidget(plot_);
+    column->addWidget(heat_);
+    plot_->setFocusPolicy(Qt::NoFocus);
     plot_->plotLayout()->clear();
     plot_->plotLayout()->setRowSpacing(2);
     plot_->setContextMenuPolicy(Qt::NoContextMenu);
@@ -78,10 +85,24 @@ StudyPlots::StudyPlots(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
     auto* margins = new QCPMarginGroup(plot_);
     for (const Panel* panel : {&quality_, &landmarks_})
         panel->rect->setMarginGroup(QCP::msLeft, margins);
-    connect(plot_, &QCustomPlot::mouseMove, this,
-            [this](const QMouseEvent* event) { explain(event->pos()); });
+    follow(*plot_);
+    follow(*heat_);
     clear();
     restyle();
+}
+
+void StudyPlots::follow(QCustomPlot& plot) {
+    connect(&plot, &QCustomPlot::mouseMove, this,
+            [this](const QMouseEvent* event) { tell(cell_at(event->pos()), event->pos()); });
+    connect(&plot, &QCustomPlot::mousePress, this, [this](const QMouseEvent* event) {
+        if (event->button() != Qt::LeftButton || empty()) return;
+        setFocus();
+        choose(cell_at(event->pos()));
+    });
+}
+
+QCustomPlot* StudyPlots::shown() const {
+    return heat_->isHidden() ? plot_ : heat_;
 }
 
 StudyPlots::Panel StudyPlots::make_panel(int row) {
@@ -96,12 +117,17 @@ StudyPlots::Panel StudyPlots::make_panel(int row) {
     panel.spread = new QCPErrorBars(x, y);
     panel.spread->setDataPlottable(panel.means);
     panel.spread->setSymbolGap(0.0);
+    panel.choice = new ChoiceLine(plot_);
+    panel.choice->setClipAxisRect(panel.rect);
+    for (QCPItemPosition* end : {panel.choice->point1, panel.choice->point2}) end->setAxes(x, y);
     return panel;
 }
 
 void StudyPlots::restyle() {
     style(colours());
+    heat_->style(colours());
     plot_->replot(QCustomPlot::rpQueuedReplot);
+    heat_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void StudyPlots::style(const Colours& c) {
@@ -122,11 +148,16 @@ void StudyPlots::style(const Colours& c) {
         panel->runs->setScatterStyle(
             QCPScatterStyle(QCPScatterStyle::ssCircle, faint, Qt::transparent, kDot));
         panel->reference->setPen(QPen(c.muted, kLine, Qt::DashLine));
+        panel->choice->setPen(QPen(c.accent, kLine, Qt::DotLine));
     }
 }
 
 void StudyPlots::clear() {
     cells_.clear();
+    heat_->hide();
+    plot_->show();
+    choose(std::nullopt);
+    setFocusPolicy(Qt::NoFocus);
     for (const Panel* panel : {&quality_, &landmarks_}) {
         for (QCPGraph* graph : {panel->runs, panel->means, panel->reference})
             graph->data()->clear();
@@ -215,8 +246,17 @@ void StudyPlots::draw(const Panel& panel) {
 }
 
 void StudyPlots::show_results(const StudyPlan& plan, const std::vector<StudyRecord>& records) {
+    plan_ = plan;
     cells_ = summarize(plan, records);
+    for (std::size_t run = 0; run < records.size(); ++run) {  // those still to come have not failed
+        if (!records[run].ok && records[run].problem.empty()) --cells_[plan.cell_of(run)].failed;
+    }
+    setFocusPolicy(Qt::StrongFocus);
     quality_.measure = &quality_of(plan, cells_);
+    const bool two = plan.axes.size() > 1;
+    plot_->setHidden(two);
+    heat_->setHidden(!two);
+    if (two) return heat_->show_results(plan, cells_, *quality_.measure, width());
     show_titles(plan);
     lay_out_axis(plan.axes.front());
     for (const Panel* panel : {&quality_, &landmarks_}) {
@@ -237,34 +277,128 @@ void StudyPlots::show_results(const StudyPlan& plan, const std::vector<StudyReco
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void StudyPlots::explain(const QPoint& place) {
+std::optional<std::size_t> StudyPlots::cell_at(const QPoint& place) const {
     constexpr double kNear = 24.0;
+    if (shown() == heat_) return heat_->cell_at(place);
     for (const Panel* panel : {&quality_, &landmarks_}) {
         if (!panel->rect->rect().contains(place)) continue;
         const QCPAxis* bottom = panel->rect->axis(QCPAxis::atBottom);
         for (std::size_t i = 0; i < cells_.size(); ++i) {
-            if (std::abs(bottom->coordToPixel(x_.positions[i]) - place.x()) > kNear) continue;
-            QStringList lines{QString::fromStdString(x_.words[i]),
-                              tr("Runs: %1").arg(cells_[i].finished)};
-            for (const Panel* told : {&quality_, &landmarks_}) {
-                if (const auto& spread = cells_[i].figures[*told->measure])
-                    lines << figure_words(*told->measure, *spread);
-            }
-            QToolTip::showText(plot_->mapToGlobal(place), lines.join('\n'), plot_);
-            return;
+            if (std::abs(bottom->coordToPixel(x_.positions[i]) - place.x()) <= kNear) return i;
         }
     }
-    QToolTip::hideText();
+    return std::nullopt;
+}
+
+QString StudyPlots::words_of_cell(std::size_t cell) const {
+    const StudyCell& told = cells_[cell];
+    QStringList lines{QString::fromStdString(plan_.cell_label(cell)),
+                      tr("Runs: %1").arg(told.finished)};
+    if (told.failed > 0) lines << tr("Failed: %1").arg(told.failed);
+    for (const Panel* panel : {&quality_, &landmarks_}) {
+        if (const auto& spread = told.figures[*panel->measure])
+            lines << figure_words(*panel->measure, *spread);
+    }
+    return lines.join('\n');
+}
+
+void StudyPlots::tell(std::optional<std::size_t> cell, const QPoint& place) {
+    if (!cell) return QToolTip::hideText();
+    QToolTip::showText(shown()->mapToGlobal(place), words_of_cell(*cell), shown());
+}
+
+void StudyPlots::choose(std::optional<std::size_t> cell) {
+    chosen_ = cell;
+    setAccessibleDescription(cell ? words_of_cell(*cell) : QString());
+    const bool one = cell && shown() == plot_;
+    for (const Panel* panel : {&quality_, &landmarks_}) {
+        panel->choice->setVisible(one);
+        if (!one) continue;
+        panel->choice->point1->setCoords(x_.positions[*cell], 0.0);
+        panel->choice->point2->setCoords(x_.positions[*cell], 1.0);
+    }
+    heat_->choose(cell);
+    plot_->replot(QCustomPlot::rpQueuedReplot);
+    emit choice_changed();
+}
+
+/// The cell next to the chosen one, which itself where there is none; at first the best.
+std::optional<std::size_t> StudyPlots::beside(int across, int up) const {
+    if (!chosen_) return best_cell(cells_, *quality_.measure).value_or(0);
+    std::vector<std::size_t> places = plan_.places(*chosen_);
+    if (places.size() > 1) {
+        const auto moved = [&](std::size_t axis, int by) {
+            const auto last = static_cast<std::ptrdiff_t>(plan_.axes[axis].values.size()) - 1;
+            return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+                static_cast<std::ptrdiff_t>(places[axis]) + by, 0, last));
+        };
+        return moved(0, across) * plan_.axes[1].values.size() + moved(1, up);
+    }
+    // Values need not be written in their order.
+    std::size_t next = *chosen_;
+    for (std::size_t i = 0; i < x_.positions.size(); ++i) {
+        const auto ahead = [&](std::size_t cell) {
+            return across * (x_.positions[cell] - x_.positions[*chosen_]);
+        };
+        if (ahead(i) > 0.0 && (next == *chosen_ || ahead(i) < ahead(next))) next = i;
+    }
+    return next;
+}
+
+void StudyPlots::keyPressEvent(QKeyEvent* event) {
+    int across = 0;
+    int up = 0;
+    switch (event->key()) {
+        case Qt::Key_Left:
+            across = -1;
+            break;
+        case Qt::Key_Right:
+            across = 1;
+            break;
+        case Qt::Key_Down:
+            up = -1;
+            break;
+        case Qt::Key_Up:
+            up = 1;
+            break;
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            if (chosen_) emit use_wanted();
+            return;
+        default:
+            return QWidget::keyPressEvent(event);
+    }
+    if (empty()) return;
+    choose(beside(across, up));
+    QPoint place = heat_->middle_of(*chosen_);
+    if (shown() == plot_) {
+        const QCPAxisRect* rect = quality_.rect;
+        const double x = rect->axis(QCPAxis::atBottom)->coordToPixel(x_.positions[*chosen_]);
+        place = QPoint(static_cast<int>(x), rect->center().y());
+    }
+    tell(chosen_, place);
+}
+
+void StudyPlots::paintEvent(QPaintEvent* event) {
+    QWidget::paintEvent(event);
+    if (!hasFocus()) return;
+    QPainter painter(this);
+    painter.setPen(colours().accent);
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 
 Exportable StudyPlots::exportable() {
-    return {tr("Study"), "study", plot_font(font()), {figure_of(*plot_, [this](const Colours& c) {
+    return {tr("Study"), "study", plot_font(font()), {figure_of(*shown(), [this](const Colours& c) {
+                if (shown() == heat_) return heat_->style(c);
                 style(c);
             })}};
 }
 
 int StudyPlots::means() const {
-    return quality_.means->data()->size();
+    const auto known = [this](const StudyCell& cell) {
+        return cell.figures[*quality_.measure].has_value();
+    };
+    return static_cast<int>(std::ranges::count_if(cells_, known));
 }
 
 QString StudyPlots::quality_title() const {

@@ -1,8 +1,9 @@
-// The outcome of a study of one parameter, as the thesis draws it [T 10.4].
+// The outcome of a study, as the thesis draws it [T 10.4].
 #pragma once
 
 #include <QString>
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "figure.hpp"
@@ -13,26 +14,37 @@
 class QCPAxisRect;
 class QCPErrorBars;
 class QCPGraph;
+class QCPItemStraightLine;
 class QCustomPlot;
 
 namespace hitos::window {
 
+class StudyHeat;
+
 /// Quality and number of landmarks against the parameter's values: every run, mean and
 /// standard deviation, and how many landmarks the reference has. Quality is the error of the map;
 /// without a reference the error of the path; where that is unknown too, the blur of the grid map.
+/// Of two parameters the quality alone, as a map of colours. One value, or pair of values, can be
+/// chosen: by a click or the arrow keys, which begin at the best.
 class StudyPlots final : public QWidget {
     Q_OBJECT
 
   public:
     explicit StudyPlots(QWidget* parent = nullptr);
 
-    /// The plan must have one parameter.
+    /// The plan must have one parameter or two.
     void show_results(const StudyPlan& plan, const std::vector<StudyRecord>& records);
     void clear();
     bool empty() const { return cells_.empty(); }
     void restyle();
 
     Exportable exportable();
+
+    /// The cell of the plan that is chosen.
+    std::optional<std::size_t> chosen() const { return chosen_; }
+    void choose(std::optional<std::size_t> cell);
+    /// Values, runs and figures of a cell.
+    QString words_of_cell(std::size_t cell) const;
 
     /// Values that have a mean quality, for tests.
     int means() const;
@@ -41,8 +53,13 @@ class StudyPlots final : public QWidget {
 
   signals:
     void picture_wanted();
+    void choice_changed();
+    /// What is chosen is to be used.
+    void use_wanted();
 
   protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
 
   private:
@@ -53,6 +70,7 @@ class StudyPlots final : public QWidget {
         QCPGraph* means = nullptr;
         QCPErrorBars* spread = nullptr;
         QCPGraph* reference = nullptr;
+        QCPItemStraightLine* choice = nullptr;
     };
 
     Panel make_panel(int row);
@@ -60,13 +78,20 @@ class StudyPlots final : public QWidget {
     void style(const Colours& colours);
     void lay_out_axis(const StudyPlan::Axis& axis);
     void draw(const Panel& panel);
-    void explain(const QPoint& place);
+    void follow(QCustomPlot& plot);
+    QCustomPlot* shown() const;
+    std::optional<std::size_t> cell_at(const QPoint& place) const;
+    std::optional<std::size_t> beside(int across, int up) const;
+    void tell(std::optional<std::size_t> cell, const QPoint& place);
 
     QCustomPlot* plot_;
+    StudyHeat* heat_;
     Panel quality_;
     Panel landmarks_;
     StudyAbscissa x_;
+    StudyPlan plan_;
     std::vector<StudyCell> cells_;
+    std::optional<std::size_t> chosen_;
 };
 
 }  // namespace hitos::window

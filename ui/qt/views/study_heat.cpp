@@ -1,0 +1,245 @@
+#include "study_heat.hpp"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "hitos/services/study/study_abscissa.hpp"
+#include "plot_style.hpp"
+#include "study_plots.hpp"
+
+namespace hitos::window {
+namespace {
+
+constexpr double kHalf = 0.5;  // of a cell, in its axis's numbers
+
+QString as_written(const Measure& measure, double mean) {
+    return QString::fromStdString(measure.rounded(mean, true));
+}
+
+/// What can be read on a cell of that colour.
+QColor ink_on(const QColor& cell) {
+    constexpr int kMiddle = 140;
+    return qGray(cell.rgb()) > kMiddle ? QColor(Qt::black) : QColor(Qt::white);
+}
+
+/// Words at 0, 1, 2 …, of which as many are left out as there is no room for.
+void name_places(QCPAxis& axis, const StudyPlan::Axis& parameter, double room, double each) {
+    const std::vector<std::string> words = study_abscissa(parameter).words;
+    const auto fit = std::max<std::size_t>(1, static_cast<std::size_t>(room / each));
+    const std::size_t step = (words.size() + fit - 1) / fit;
+    auto ticker = QSharedPointer<QCPAxisTickerText>::create();
+    for (std::size_t i = 0; i < words.size(); i += step)
+        ticker->addTick(static_cast<double>(i), QString::fromStdString(words[i]));
+    axis.setTicker(ticker);
+    axis.setRange(-kHalf, static_cast<double>(words.size()) - kHalf);
+    axis.setLabel(QString::fromStdString(study_axis_label(parameter)).replace("^2", "²"));
+}
+
+}  // namespace
+
+QString axis_words(const Measure& measure) {
+    QString words = QCoreApplication::translate("Measure", measure.plot.c_str());
+    return words.replace(0, 1, words.left(1).toUpper());
+}
+
+QString unit_of(const Measure& measure) {
+    return QString::fromStdString(printed_unit(measure.unit));
+}
+
+std::optional<std::size_t> best_cell(const std::vector<StudyCell>& cells, const Measure& measure) {
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const auto& figures = cells[i].figures[measure];
+        if (figures && (!best || figures->mean < cells[*best].figures[measure]->mean)) best = i;
+    }
+    return best;
+}
+
+/// Painted as shapes, so that they are sharp in PDF and SVG.
+class StudyHeat::Cells final : public QCPAbstractItem {
+  public:
+    using QCPAbstractItem::QCPAbstractItem;
+
+    double selectTest(const QPointF& /*place*/, bool /*selectable*/,
+                      QVariant* /*details*/) const override {
+        return -1.0;
+    }
+    /// Of a cell, in pixels.
+    QRectF place_of(std::size_t cell) const {
+        const auto x = static_cast<double>(cell / rows);
+        const auto y = static_cast<double>(cell % rows);
+        const QCPAxis* across = clipAxisRect()->axis(QCPAxis::atBottom);
+        const QCPAxis* up = clipAxisRect()->axis(QCPAxis::atLeft);
+        return {
+            QPointF(across->coordToPixel(x - kHalf), up->coordToPixel(y + kHalf)),
+            QPointF(across->coordToPixel(x + kHalf), up->coordToPixel(y - kHalf)),
+        };
+    }
+
+    struct Cell {
+        std::optional<double> share;  ///< of the scale; nothing where there is no mean
+        QString words;
+        bool failed = false;  ///< all of its runs
+    };
+    std::vector<Cell> cells;
+    std::size_t rows = 1;  ///< values of the second parameter
+    std::optional<std::size_t> best;
+    std::optional<std::size_t> chosen;
+    Colours look;
+    QFont letters;
+
+  protected:
+    void draw(QCPPainter* painter) override {
+        painter->setFont(letters);
+        for (std::size_t i = 0; i < cells.size(); ++i) draw_cell(*painter, cells[i], place_of(i));
+        if (best) frame(*painter, place_of(*best), Qt::SolidLine, look.text);
+        const bool on_screen = !painter->modes().testFlag(QCPPainter::pmVectorized);
+        if (chosen && on_screen) {
+            constexpr double kInside = 5.0;
+            const QRectF inside = place_of(*chosen).adjusted(kInside, kInside, -kInside, -kInside);
+            frame(*painter, inside, Qt::DashLine, look.accent);
+        }
+    }
+
+  private:
+    void draw_cell(QCPPainter& painter, const Cell& cell, const QRectF& place) const {
+        const QColor ground = cell.share ? heat_colour(*cell.share) : look.card;
+        painter.setPen(QPen(look.card));
+        painter.setBrush(ground);
+        painter.drawRect(place);
+        if (cell.failed) {
+            painter.setBrush(QBrush(look.muted, Qt::BDiagPattern));
+            painter.drawRect(place);
+        }
+        constexpr int kRound = 6;
+        const QFontMetrics metrics(letters);
+        if (metrics.horizontalAdvance(cell.words) + kRound > place.width() ||
+            metrics.height() > place.height()) {
+            return;
+        }
+        painter.setPen(ink_on(ground));
+        painter.drawText(place, Qt::AlignCenter, cell.words);
+    }
+
+    /// On a ground of its own, to be seen on any colour.
+    void frame(QCPPainter& painter, const QRectF& place, Qt::PenStyle style,
+               const QColor& colour) const {
+        constexpr double kWide = 4.5;
+        constexpr double kNarrow = 2.5;
+        constexpr double kIn = kWide / 2.0;
+        const QRectF line = place.adjusted(kIn, kIn, -kIn, -kIn);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(look.card, kWide, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+        painter.drawRect(line);
+        painter.setPen(QPen(colour, kNarrow, style, Qt::FlatCap, Qt::MiterJoin));
+        painter.drawRect(line);
+    }
+};
+
+StudyHeat::StudyHeat(QWidget* parent) : QCustomPlot(parent) {
+    constexpr int kBar = 14;
+    plotLayout()->clear();
+    plotLayout()->setRowSpacing(2);
+    setContextMenuPolicy(Qt::NoContextMenu);
+    setFocusPolicy(Qt::NoFocus);
+    rect_ = add_titled_plot(*this, 0, 0, {});
+    for (QCPAxis* axis : rect_->axes()) axis->grid()->setVisible(false);
+    scale_ = new QCPColorScale(this);
+    scale_->setType(QCPAxis::atRight);
+    scale_->setBarWidth(kBar);
+    scale_->setRangeDrag(false);
+    scale_->setRangeZoom(false);
+    plotLayout()->addElement(1, 1, scale_);
+    auto* edges = new QCPMarginGroup(this);
+    rect_->setMarginGroup(QCP::msTop | QCP::msBottom, edges);
+    scale_->setMarginGroup(QCP::msTop | QCP::msBottom, edges);
+    QCPColorGradient gradient;
+    gradient.clearColorStops();
+    constexpr int kStops = 16;
+    for (int i = 0; i <= kStops; ++i) {
+        const double share = static_cast<double>(i) / kStops;
+        gradient.setColorStopAt(share, heat_colour(share));
+    }
+    scale_->setGradient(gradient);
+    cells_ = new Cells(this);
+    cells_->setClipAxisRect(rect_);
+}
+
+void StudyHeat::style(const Colours& colours) {
+    const QFont small = plot_font(font());
+    setBackground(colours.card);
+    style_plot(*rect_, *title_of(*this, 0, 0), colours, small);
+    QCPAxis* bar = scale_->axis();
+    bar->setBasePen(QPen(colours.border));
+    bar->setTickPen(QPen(colours.border));
+    bar->setSubTickPen(Qt::NoPen);
+    bar->setTickLabelColor(colours.muted);
+    bar->setTickLabelFont(small);
+    bar->setLabelColor(colours.muted);
+    bar->setLabelFont(small);
+    cells_->look = colours;
+    cells_->letters = small;
+}
+
+void StudyHeat::show_results(const StudyPlan& plan, const std::vector<StudyCell>& cells,
+                             const Measure& measure, int room) {
+    constexpr int kGap = 10;
+    double least = HUGE_VAL;
+    double greatest = -HUGE_VAL;
+    for (const StudyCell& cell : cells) {
+        const auto& figures = cell.figures[measure];
+        if (!figures) continue;
+        least = std::min(least, figures->mean);
+        greatest = std::max(greatest, figures->mean);
+    }
+    const bool any = least <= greatest;
+    const double span = greatest > least ? greatest - least : 1.0;
+    cells_->cells.clear();
+    for (const StudyCell& cell : cells) {
+        Cells::Cell& shown = cells_->cells.emplace_back();
+        shown.failed = cell.finished == 0 && cell.failed > 0;
+        if (const auto& figures = cell.figures[measure]) {
+            shown.share = (figures->mean - least) / span;
+            shown.words = as_written(measure, figures->mean);
+        }
+    }
+    cells_->rows = plan.axes[1].values.size();
+    cells_->best = best_cell(cells, measure);
+    const QString unit = unit_of(measure);
+    title_of(*this, 0, 0)
+        ->setText(StudyPlots::tr("%1: mean over the runs; framed: the best")
+                      .arg(axis_words(measure) + (unit.isEmpty() ? "" : " [" + unit + ']')));
+    const QFontMetrics metrics(plot_font(font()));
+    int widest = 0;
+    for (const std::string& word : study_abscissa(plan.axes[0]).words)
+        widest = std::max(widest, metrics.horizontalAdvance(QString::fromStdString(word)));
+    name_places(*rect_->axis(QCPAxis::atBottom), plan.axes[0], room, widest + kGap);
+    name_places(*rect_->axis(QCPAxis::atLeft), plan.axes[1], height(), metrics.height() + kGap);
+    auto ends = QSharedPointer<QCPAxisTickerText>::create();
+    if (any) {
+        for (const double end : {least, greatest})
+            ends->addTick(end, (as_written(measure, end) + ' ' + unit).trimmed());
+        scale_->setDataRange({least, least + span});
+    }
+    scale_->axis()->setTicker(ends);
+    scale_->setLabel(axis_words(measure));
+    replot(QCustomPlot::rpQueuedReplot);
+}
+
+void StudyHeat::choose(std::optional<std::size_t> cell) {
+    cells_->chosen = cell;
+    replot(QCustomPlot::rpQueuedReplot);
+}
+
+std::optional<std::size_t> StudyHeat::cell_at(const QPoint& place) const {
+    for (std::size_t i = 0; i < cells_->cells.size(); ++i)
+        if (cells_->place_of(i).contains(place)) return i;
+    return std::nullopt;
+}
+
+QPoint StudyHeat::middle_of(std::size_t cell) const {
+    return cells_->place_of(cell).center().toPoint();
+}
+
+}  // namespace hitos::window
