@@ -250,7 +250,11 @@ void FitTest::every_window_fits() {
         check_dialog(until, until.sizeHint(), "run until");
         AnimationDialog animation(30, f.window.get());
         check_dialog(animation, animation.sizeHint(), "animation");
-        check_dialog(f.window->open_study(), {1120, 720}, "study");
+        StudyDialog& study = f.window->open_study();
+        for (const char* second : {"", "p=5,10"}) {
+            study.form().set_assignments({"dmax=0.01,0.02", second});
+            check_dialog(study, {1120, 720}, "study");
+        }
         f.trigger("action_odometry");
         check_dialog(*f.window->result_actions().odometry_window(), {820, 680}, "map");
         f.trigger("action_compare");

@@ -338,4 +338,35 @@ void KeyboardTest::a_study_is_done() {
     QTRY_VERIFY(listener()->window() == f.window.get());
 }
 
+void KeyboardTest::a_pair_of_values_is_used() {
+    KeyboardFixture f;
+    press(Qt::Key_E, kCtrl);
+    StudyDialog& study = *f.window->study();
+    QTRY_VERIFY(study.isActiveWindow());
+    study.form().set_folder(f.path("study"));
+    const auto fill = [](Qt::Key letter, const QString& text) {
+        press(letter, Qt::AltModifier);
+        press(Qt::Key_A, kCtrl);
+        type(text);
+    };
+    fill(Qt::Key_P, "split_merge.dmax");
+    fill(Qt::Key_V, "0.02, 0.05");
+    fill(Qt::Key_D, "filter.particles");
+    fill(Qt::Key_L, "3, 4, 6");
+    fill(Qt::Key_R, "1");
+    press(Qt::Key_Return);
+    QTRY_VERIFY2(verdict_by_key(study).startsWith("Runs done: 6 of 6"),
+                 qPrintable(verdict_by_key(study)));
+    QTRY_COMPARE(focused(), QString("start"));
+    tab_to("plots");
+    press(Qt::Key_Right);  // the best
+    for (int i = 0; i < 2; ++i) press(Qt::Key_Right);
+    for (int i = 0; i < 3; ++i) press(Qt::Key_Up);
+    press(Qt::Key_Return);
+    QCOMPARE(f.session.configuration().filter.particles, 6);
+    QTRY_VERIFY(listener()->window() == f.window.get());
+    press(Qt::Key_Z, kCtrl);
+    QCOMPARE(f.session.configuration().filter.particles, 10);
+}
+
 }  // namespace hitos::window

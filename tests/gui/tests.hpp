@@ -333,6 +333,12 @@ class StudyTest : public QObject {
     void a_folder_that_cannot_be_written_is_told();
     void a_log_that_has_gone_is_told();
     void runs_that_fail_are_told_and_the_others_go_on();
+    void two_parameters_are_a_map_of_colours();
+    void the_scale_of_the_map_darkens();
+    void values_are_chosen_and_used();
+    void a_value_of_one_parameter_is_used();
+    void pairs_that_fail_are_told();
+    void the_second_parameter_is_checked_too();
     void without_reference_grids_are_measured_and_shown();
     void the_true_path_of_the_session_is_used();
     void a_stopped_study_goes_on_where_it_was();
@@ -407,6 +413,7 @@ class KeyboardTest : public QObject {
     void the_map_is_saved();
     void pictures_are_saved();
     void a_study_is_done();
+    void a_pair_of_values_is_used();
     void tab_reaches_everything();
     void no_letter_means_two_things_data();
     void no_letter_means_two_things();

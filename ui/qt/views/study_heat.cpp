@@ -93,12 +93,12 @@ class StudyHeat::Cells final : public QCPAbstractItem {
     void draw(QCPPainter* painter) override {
         painter->setFont(letters);
         for (std::size_t i = 0; i < cells.size(); ++i) draw_cell(*painter, cells[i], place_of(i));
-        if (best) frame(*painter, place_of(*best), Qt::SolidLine, look.text);
+        if (best) frame(*painter, place_of(*best), Qt::SolidLine, Qt::black);
         const bool on_screen = !painter->modes().testFlag(QCPPainter::pmVectorized);
         if (chosen && on_screen) {
-            constexpr double kInside = 5.0;
-            const QRectF inside = place_of(*chosen).adjusted(kInside, kInside, -kInside, -kInside);
-            frame(*painter, inside, Qt::DashLine, look.accent);
+            const QRectF place = place_of(*chosen);
+            const double in = std::min({5.0, place.width() / 8.0, place.height() / 8.0});
+            frame(*painter, place.adjusted(in, in, -in, -in), Qt::DashLine, light_colours().accent);
         }
     }
 
@@ -123,14 +123,14 @@ class StudyHeat::Cells final : public QCPAbstractItem {
     }
 
     /// On a ground of its own, to be seen on any colour.
-    void frame(QCPPainter& painter, const QRectF& place, Qt::PenStyle style,
-               const QColor& colour) const {
+    static void frame(QCPPainter& painter, const QRectF& place, Qt::PenStyle style,
+                      const QColor& colour) {
         constexpr double kWide = 4.5;
         constexpr double kNarrow = 2.5;
         constexpr double kIn = kWide / 2.0;
         const QRectF line = place.adjusted(kIn, kIn, -kIn, -kIn);
         painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(look.card, kWide, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+        painter.setPen(QPen(Qt::white, kWide, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
         painter.drawRect(line);
         painter.setPen(QPen(colour, kNarrow, style, Qt::FlatCap, Qt::MiterJoin));
         painter.drawRect(line);
@@ -170,21 +170,15 @@ void StudyHeat::style(const Colours& colours) {
     const QFont small = plot_font(font());
     setBackground(colours.card);
     style_plot(*rect_, *title_of(*this, 0, 0), colours, small);
-    QCPAxis* bar = scale_->axis();
-    bar->setBasePen(QPen(colours.border));
-    bar->setTickPen(QPen(colours.border));
-    bar->setSubTickPen(Qt::NoPen);
-    bar->setTickLabelColor(colours.muted);
-    bar->setTickLabelFont(small);
-    bar->setLabelColor(colours.muted);
-    bar->setLabelFont(small);
+    style_plot(*scale_->axis()->axisRect(), *title_of(*this, 0, 0), colours, small);
     cells_->look = colours;
     cells_->letters = small;
 }
 
 void StudyHeat::show_results(const StudyPlan& plan, const std::vector<StudyCell>& cells,
-                             const Measure& measure, int room) {
+                             const Measure& measure) {
     constexpr int kGap = 10;
+    constexpr int kAround = 150;  // what axes and scale take of the width
     double least = HUGE_VAL;
     double greatest = -HUGE_VAL;
     for (const StudyCell& cell : cells) {
@@ -214,8 +208,10 @@ void StudyHeat::show_results(const StudyPlan& plan, const std::vector<StudyCell>
     int widest = 0;
     for (const std::string& word : study_abscissa(plan.axes[0]).words)
         widest = std::max(widest, metrics.horizontalAdvance(QString::fromStdString(word)));
-    name_places(*rect_->axis(QCPAxis::atBottom), plan.axes[0], room, widest + kGap);
-    name_places(*rect_->axis(QCPAxis::atLeft), plan.axes[1], height(), metrics.height() + kGap);
+    name_places(*rect_->axis(QCPAxis::atBottom), plan.axes[0], parentWidget()->width() - kAround,
+                widest + kGap);
+    name_places(*rect_->axis(QCPAxis::atLeft), plan.axes[1], parentWidget()->height(),
+                metrics.height() + kGap);
     auto ends = QSharedPointer<QCPAxisTickerText>::create();
     if (any) {
         for (const double end : {least, greatest})

@@ -17,9 +17,9 @@ class StudyHeat final : public QCustomPlot {
   public:
     explicit StudyHeat(QWidget* parent);
 
-    /// The plan must have two parameters. Values are told along axes as wide as `room` [pixels].
+    /// The plan must have two parameters.
     void show_results(const StudyPlan& plan, const std::vector<StudyCell>& cells,
-                      const Measure& measure, int room);
+                      const Measure& measure);
     void style(const Colours& colours);
     void choose(std::optional<std::size_t> cell);
     std::optional<std::size_t> cell_at(const QPoint& place) const;

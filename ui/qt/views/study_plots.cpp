@@ -256,7 +256,7 @@ void StudyPlots::show_results(const StudyPlan& plan, const std::vector<StudyReco
     const bool two = plan.axes.size() > 1;
     plot_->setHidden(two);
     heat_->setHidden(!two);
-    if (two) return heat_->show_results(plan, cells_, *quality_.measure, width());
+    if (two) return heat_->show_results(plan, cells_, *quality_.measure);
     show_titles(plan);
     lay_out_axis(plan.axes.front());
     for (const Panel* panel : {&quality_, &landmarks_}) {
