@@ -351,6 +351,9 @@ void StudyTest::every_parameter_can_be_chosen() {
     QVERIFY(f.study.findChild<QLabel*>("values_hint")->text().contains('2'));
     f.study.form().set_assignments({"split_merge.dmax+split_merge.min_length=0.02/0.5"});
     QVERIFY(f.study.findChild<QLabel*>("parameter_hint")->text().contains("0.02"));
+    f.study.form().set_assignments({"motion.model=odometry"});
+    QVERIFY2(f.study.findChild<QLabel*>("parameter_hint")->text().contains("one of odometry, "),
+             qPrintable(f.study.findChild<QLabel*>("parameter_hint")->text()));
     f.study.form().set_assignments({"p=10:50:10"});
     QVERIFY(f.study.findChild<QLabel*>("values_hint")->text().contains("10"));
 }

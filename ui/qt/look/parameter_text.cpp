@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "hitos/services/configuration/config_parameter.hpp"
+#include "words_of.hpp"
 
 namespace hitos::window {
 namespace {
@@ -105,6 +106,9 @@ QString value_with_unit(const ConfigParameter& parameter, const Configuracion& c
 }
 
 QString allowed_of(const ParameterFacts& parameter) {
+    using Type = ParameterFacts::Type;
+    if (parameter.type == Type::choice || parameter.type == Type::text)
+        return words_of(parameter.allowed_message());
     const QString unit = unit_of(parameter);
     const auto limit = [&parameter](double value) {
         return parameter.type == ParameterFacts::Type::integer ? QString::number(value, 'f', 0)

@@ -23,17 +23,38 @@ QColor ink_on(const QColor& cell) {
     return qGray(cell.rgb()) > kMiddle ? QColor(Qt::black) : QColor(Qt::white);
 }
 
-/// Words at 0, 1, 2 …, of which as many are left out as there is no room for.
-void name_places(QCPAxis& axis, const StudyPlan::Axis& parameter, double room, double each) {
+/// Words at 0, 1, 2 …, no longer than `longest`; as many are left out as there is no room for.
+void name_places(QCPAxis& axis, const StudyPlan::Axis& parameter, int longest, int room, int each) {
+    const QFontMetrics metrics(axis.tickLabelFont());
     const std::vector<std::string> words = study_abscissa(parameter).words;
-    const auto fit = std::max<std::size_t>(1, static_cast<std::size_t>(room / each));
+    const auto fit = static_cast<std::size_t>(std::max(1, room / each));
     const std::size_t step = (words.size() + fit - 1) / fit;
     auto ticker = QSharedPointer<QCPAxisTickerText>::create();
-    for (std::size_t i = 0; i < words.size(); i += step)
-        ticker->addTick(static_cast<double>(i), QString::fromStdString(words[i]));
+    for (std::size_t i = 0; i < words.size(); i += step) {
+        const QString word = QString::fromStdString(words[i]);
+        ticker->addTick(static_cast<double>(i), metrics.elidedText(word, Qt::ElideMiddle, longest));
+    }
     axis.setTicker(ticker);
     axis.setRange(-kHalf, static_cast<double>(words.size()) - kHalf);
     axis.setLabel(QString::fromStdString(study_axis_label(parameter)).replace("^2", "²"));
+}
+
+/// In a widget of that size.
+void name_axes(QCPAxisRect& rect, const StudyPlan& plan, const QSize& size) {
+    constexpr int kGap = 10;
+    constexpr int kLongest = 120;  // word at an axis
+    constexpr int kAround = 200;   // what axes and scale take of the width
+    QCPAxis* across = rect.axis(QCPAxis::atBottom);
+    const QFontMetrics metrics(across->tickLabelFont());
+    int widest = 0;
+    for (const std::string& word : study_abscissa(plan.axes[0]).words)
+        widest = std::max(widest, metrics.horizontalAdvance(QString::fromStdString(word)));
+    const int room = size.width() - kAround;
+    const int share = room / static_cast<int>(plan.axes[0].values.size()) - kGap;
+    const int longest = std::min(widest, std::max(kLongest / 2, share));
+    name_places(*across, plan.axes[0], longest, room, longest + kGap);
+    name_places(*rect.axis(QCPAxis::atLeft), plan.axes[1], kLongest, size.height(),
+                metrics.height() + kGap);
 }
 
 }  // namespace
@@ -100,25 +121,33 @@ class StudyHeat::Cells final : public QCPAbstractItem {
             const double in = std::min({5.0, place.width() / 8.0, place.height() / 8.0});
             frame(*painter, place.adjusted(in, in, -in, -in), Qt::DashLine, light_colours().accent);
         }
+        for (std::size_t i = 0; i < cells.size(); ++i) write_words(*painter, cells[i], place_of(i));
     }
 
   private:
+    QColor ground_of(const Cell& cell) const {
+        return cell.share ? heat_colour(*cell.share) : look.card;
+    }
+
     void draw_cell(QCPPainter& painter, const Cell& cell, const QRectF& place) const {
-        const QColor ground = cell.share ? heat_colour(*cell.share) : look.card;
         painter.setPen(QPen(look.card));
-        painter.setBrush(ground);
+        painter.setBrush(ground_of(cell));
         painter.drawRect(place);
         if (cell.failed) {
             painter.setBrush(QBrush(look.muted, Qt::BDiagPattern));
             painter.drawRect(place);
         }
+    }
+
+    /// Where they have room.
+    void write_words(QCPPainter& painter, const Cell& cell, const QRectF& place) const {
         constexpr int kRound = 6;
         const QFontMetrics metrics(letters);
         if (metrics.horizontalAdvance(cell.words) + kRound > place.width() ||
             metrics.height() > place.height()) {
             return;
         }
-        painter.setPen(ink_on(ground));
+        painter.setPen(ink_on(ground_of(cell)));
         painter.drawText(place, Qt::AlignCenter, cell.words);
     }
 
@@ -177,8 +206,6 @@ void StudyHeat::style(const Colours& colours) {
 
 void StudyHeat::show_results(const StudyPlan& plan, const std::vector<StudyCell>& cells,
                              const Measure& measure) {
-    constexpr int kGap = 10;
-    constexpr int kAround = 150;  // what axes and scale take of the width
     double least = HUGE_VAL;
     double greatest = -HUGE_VAL;
     for (const StudyCell& cell : cells) {
@@ -204,14 +231,7 @@ void StudyHeat::show_results(const StudyPlan& plan, const std::vector<StudyCell>
     title_of(*this, 0, 0)
         ->setText(StudyPlots::tr("%1: mean over the runs; framed: the best")
                       .arg(axis_words(measure) + (unit.isEmpty() ? "" : " [" + unit + ']')));
-    const QFontMetrics metrics(plot_font(font()));
-    int widest = 0;
-    for (const std::string& word : study_abscissa(plan.axes[0]).words)
-        widest = std::max(widest, metrics.horizontalAdvance(QString::fromStdString(word)));
-    name_places(*rect_->axis(QCPAxis::atBottom), plan.axes[0], parentWidget()->width() - kAround,
-                widest + kGap);
-    name_places(*rect_->axis(QCPAxis::atLeft), plan.axes[1], parentWidget()->height(),
-                metrics.height() + kGap);
+    name_axes(*rect_, plan, parentWidget()->size());
     auto ends = QSharedPointer<QCPAxisTickerText>::create();
     if (any) {
         for (const double end : {least, greatest})
