@@ -186,6 +186,8 @@ void StudyTest::two_parameters_are_a_map_of_colours() {
         const QString words = QString("Map error: %1 ±").arg(mean, 0, 'f', 3);
         QVERIFY2(told[2].startsWith(words), qPrintable(told[2] + ", not " + words));
     }
+    const auto ticks = f.map().axisRect(0)->axis(QCPAxis::atBottom)->tickVectorLabels();
+    QCOMPARE(ticks, (QVector<QString>{"0.02", "0.05"}));
     // The best and the worst have the ends of the scale.
     f.prompts.saves = {f.path("map.png")};
     in_dialog<ExportDialog>([](ExportDialog& dialog) { dialog.accept(); });

@@ -42,13 +42,14 @@ void name_places(QCPAxis& axis, const StudyPlan::Axis& parameter, int longest, i
 /// In a widget of that size.
 void name_axes(QCPAxisRect& rect, const StudyPlan& plan, const QSize& size) {
     constexpr int kGap = 10;
+    constexpr int kSlack = 2;      // an advance is rounded
     constexpr int kLongest = 120;  // word at an axis
     constexpr int kAround = 200;   // what axes and scale take of the width
     QCPAxis* across = rect.axis(QCPAxis::atBottom);
     const QFontMetrics metrics(across->tickLabelFont());
     int widest = 0;
     for (const std::string& word : study_abscissa(plan.axes[0]).words)
-        widest = std::max(widest, metrics.horizontalAdvance(QString::fromStdString(word)));
+        widest = std::max(widest, metrics.horizontalAdvance(QString::fromStdString(word)) + kSlack);
     const int room = size.width() - kAround;
     const int share = room / static_cast<int>(plan.axes[0].values.size()) - kGap;
     const int longest = std::min(widest, std::max(kLongest / 2, share));
