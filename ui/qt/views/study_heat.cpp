@@ -89,7 +89,8 @@ class StudyHeat::Cells final : public QCPAbstractItem {
     }
     /// Of a cell, in pixels.
     QRectF place_of(std::size_t cell) const {
-        const auto x = static_cast<double>(cell / rows);
+        const std::size_t column = cell / rows;
+        const auto x = static_cast<double>(column);
         const auto y = static_cast<double>(cell % rows);
         const QCPAxis* across = clipAxisRect()->axis(QCPAxis::atBottom);
         const QCPAxis* up = clipAxisRect()->axis(QCPAxis::atLeft);
