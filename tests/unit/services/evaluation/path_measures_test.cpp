@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "hitos/base/error.hpp"
+#include "hitos/services/evaluation/path_errors.hpp"
+#include "hitos/services/evaluation/position_error.hpp"
 #include "hitos/services/evaluation/relations.hpp"
 #include "hitos/services/evaluation/relative_error.hpp"
 #include "support.hpp"
@@ -140,6 +142,75 @@ TEST(RelativeError, NeedsCommonStampsAndALongEnoughWay) {
     std::ranges::reverse(shuffled);
     EXPECT_NEAR(relative_error(shuffled, circle(), {By::distance, 1.0})->translation_m.maximum, 0.0,
                 1e-12);
+}
+
+/// The circle as odometry has it that turns too far, every pose.
+Trajectory drifted_circle() {
+    Trajectory path = circle();
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        path[i].pose = compose(path[i].pose, {0.01 * static_cast<double>(i), -0.02, 0.001});
+    }
+    return path;
+}
+
+TEST(PathErrors, AreNoneForTheSamePathInAnyFrame) {
+    const Trajectory moved = moved_path(circle(), {5.0, -3.0, 2.5});
+    const auto whole = trajectory_error(moved, circle());
+    ASSERT_TRUE(whole);
+    for (const auto& frame :
+         {std::optional(whole->pose_reference_estimate), std::optional<Pose>()}) {
+        const auto errors = path_errors(moved, circle(), frame);
+        ASSERT_EQ(errors.size(), moved.size());
+        for (const PathError& error : errors) EXPECT_NEAR(error.error_m, 0.0, 1e-9);
+    }
+    // Where it lies already there is nothing to move.
+    for (const PathError& error : path_errors(circle(), circle(), Pose{}))
+        EXPECT_EQ(error.error_m, 0.0);
+}
+
+TEST(PathErrors, AlignedTheyAreThoseOfTheAteToTheLastBit) {
+    const Trajectory path = drifted_circle();
+    const auto whole = trajectory_error(path, circle());
+    ASSERT_TRUE(whole && whole->rmse_m > 0.05);
+    const auto errors = path_errors(path, circle(), whole->pose_reference_estimate);
+    double squares = 0.0;
+    double greatest = 0.0;
+    for (const PathError& error : errors) {
+        squares += error.error_m * error.error_m;
+        greatest = std::max(greatest, error.error_m);
+    }
+    EXPECT_EQ(std::sqrt(squares / static_cast<double>(errors.size())), whole->rmse_m);
+    EXPECT_EQ(greatest, whole->maximum_m);
+}
+
+TEST(PathErrors, WithoutAlignmentTheyAreThePositionErrors) {
+    const Trajectory path = moved_path(drifted_circle(), {1.0, 2.0, -1.0});
+    const auto errors = path_errors(path, circle());
+    ASSERT_EQ(errors.size(), path.size());
+    EXPECT_NEAR(errors.front().error_m, 0.0, 1e-12);
+    EXPECT_GT(errors.back().error_m, 0.1);
+    PositionError position(circle());
+    for (const PathError& error : errors) {
+        EXPECT_EQ(error.time_s, path[error.pose].time_s);
+        EXPECT_NEAR(error.error_m, position.at(path[error.pose]).value(), 1e-9);
+    }
+}
+
+TEST(PathErrors, CountTheWholeWayAndLeaveOutPosesWithoutReference) {
+    // There and back again; the reference knows the last three places only.
+    const Trajectory path = along_x({0.0, 2.0, 1.0, 1.5, 1.5});
+    const Trajectory reference(path.begin() + 2, path.end());
+    const auto errors = path_errors(path, reference);
+    ASSERT_EQ(errors.size(), 3U);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(errors[k].pose, k + 2);
+    EXPECT_DOUBLE_EQ(errors[0].way_m, 3.0);
+    EXPECT_DOUBLE_EQ(errors[1].way_m, 3.5);
+    EXPECT_DOUBLE_EQ(errors[2].way_m, 3.5);
+    EXPECT_THAT(path_errors(path, {}), IsEmpty());
+    EXPECT_THAT(path_errors({}, path), IsEmpty());
+    Trajectory later = path;
+    for (StampedPose& stamped : later) stamped.time_s += 1e5;
+    EXPECT_THAT(path_errors(path, later), IsEmpty());
 }
 
 TEST(Relations, OfAPathAreZeroOnItAndReadBackToTheLastBit) {
