@@ -259,6 +259,11 @@ void FitTest::every_window_fits() {
         check_dialog(*f.window->result_actions().odometry_window(), {820, 680}, "map");
         f.trigger("action_compare");
         check_dialog(*f.window->runs().comparison(), {1100, 680}, "compare");
+        References references;
+        references.trajectory = f.session.snapshot()->odometry_trajectory;
+        f.session.set_references(references);
+        f.window->runs().comparison()->show_figures(true);
+        check_dialog(*f.window->runs().comparison(), {1100, 680}, "compare with figures");
         f.trigger("action_guide");
         auto* guide = f.window->findChild<QDialog*>("guide_window");
         check_dialog(*guide, guide->size(), "guide");

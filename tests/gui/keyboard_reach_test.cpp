@@ -160,7 +160,11 @@ void visit_windows(KeyboardFixture& f, const std::function<void(QWidget&, const 
     visit(f.window->open_study(), "study");
     f.window->result_actions().view_best();
     visit(*f.window->result_actions().best_window(), "map");
+    References references;
+    references.trajectory = f.session.snapshot()->odometry_trajectory;
+    f.session.set_references(references);
     f.window->runs().compare({});
+    f.window->runs().comparison()->show_figures(true);
     visit(*f.window->runs().comparison(), "compare");
     f.window->findChild<QAction*>("action_guide")->trigger();
     visit(*f.window->findChild<QDialog*>("guide_window"), "guide");

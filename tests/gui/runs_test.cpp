@@ -2,6 +2,9 @@
 
 #include "runs/runs.hpp"
 
+#include <qcustomplot.h>
+
+#include <QCheckBox>
 #include <QComboBox>
 #include <QImage>
 #include <QJsonDocument>
@@ -9,9 +12,14 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
+#include <QToolButton>
+#include <cstdlib>
 
 #include "actions/command_line.hpp"
+#include "dialogs/export_dialog.hpp"
 #include "gui_fixture.hpp"
+#include "look/theme.hpp"
+#include "look/words_of.hpp"
 #include "runs/compare_window.hpp"
 #include "runs/runs_panel.hpp"
 #include "tests.hpp"
@@ -63,6 +71,19 @@ CompareWindow& compare_first_two(const RunsFixture& f) {
     f.panel().table().choose_rows({1, 2});
     f.press("runs_compare");
     return f.comparison();
+}
+
+/// The path of the first run, somewhere else, as the truth.
+References moved_path_of_the_first(const RunsFixture& f) {
+    References references;
+    references.trajectory = f.list().runs()[1].run->path;
+    for (StampedPose& stamped : *references.trajectory)
+        stamped.pose = compose({4.0, -2.0, 1.0}, stamped.pose);
+    return references;
+}
+
+QToolButton* figures_button(const CompareWindow& comparison) {
+    return comparison.findChild<QToolButton*>("compare_figures_shown");
 }
 
 QImage seen(QWidget& widget) {
@@ -259,6 +280,162 @@ void RunsTest::a_run_is_compared_with_its_odometry() {
     const QImage before = seen(comparison.view(0));
     f.run_steps(150);
     QVERIFY(seen(comparison.view(0)) != before);
+}
+
+void RunsTest::figures_are_hidden_at_first_and_need_a_reference() {
+    RunsFixture f;
+    run_thrice(f);
+    CompareWindow& comparison = compare_first_two(f);
+    auto* strip = comparison.findChild<ErrorStrip*>("compare_figures");
+    QVERIFY(!strip->isVisible());
+    const QImage plain = seen(comparison.view(0));
+    figures_button(comparison)->click();
+    QVERIFY(strip->isVisible());
+    // Nothing to plot: words alone, of what is missing and what helps.
+    QVERIFY(!strip->findChild<QCustomPlot*>()->isVisible());
+    for (const char* side : {"figures_left", "figures_right"}) {
+        const QString said = strip->findChild<QLabel*>(side)->text();
+        QVERIFY2(said.contains("bigloop.log.gz") && said.contains("Load reference trajectory"),
+                 qPrintable(said));
+    }
+    f.session.set_references(moved_path_of_the_first(f));
+    QVERIFY(strip->findChild<QCustomPlot*>()->isVisible());
+    QCOMPARE(strip->curve(1).size(), std::size_t{80});
+    f.session.set_references({});
+    QVERIFY(!strip->findChild<QCustomPlot*>()->isVisible());
+    QVERIFY(strip->curve(1).empty());
+    // A window that opens later remembers it.
+    comparison.close();
+    QTRY_VERIFY(f.window->runs().comparison() == nullptr);
+    CompareWindow& next = compare_first_two(f);
+    QVERIFY(next.findChild<ErrorStrip*>("compare_figures")->isVisible());
+    figures_button(next)->click();
+    QVERIFY(!next.findChild<ErrorStrip*>("compare_figures")->isVisible());
+    QTRY_COMPARE(seen(next.view(0)), plain);
+}
+
+void RunsTest::figures_are_those_of_the_services() {
+    RunsFixture f;
+    run_thrice(f);
+    const References references = moved_path_of_the_first(f);
+    f.session.set_references(references);
+    const Trajectory reference = references.trajectory.value();
+    const Trajectory path = f.list().runs()[2].run->path;
+    const auto whole = trajectory_error(path, reference);
+    const auto relative = relative_error(path, reference, PairSpacing{});
+    QVERIFY(whole && relative && whole->rmse_m > 0.001);
+    CompareWindow& comparison = compare_first_two(f);
+    comparison.show_figures(true);
+    auto* strip = comparison.findChild<ErrorStrip*>("compare_figures");
+    const QString said = strip->findChild<QLabel*>("figures_right")->text();
+    for (const QString& figure :
+         {metre_words(whole->rmse_m), metre_words(whole->mean_m), metre_words(whole->maximum_m),
+          degree_words(whole->heading_rmse_rad), metre_words(relative->translation_m.rmse),
+          degree_words(relative->rotation_rad.rmse), QString("80")}) {
+        QVERIFY2(said.contains(figure), qPrintable(said + " lacks " + figure));
+    }
+    const auto expect = [&](const std::vector<PathError>& errors, bool by_way) {
+        const std::vector<QPointF> curve = strip->curve(1);
+        QCOMPARE(curve.size(), errors.size());
+        for (std::size_t i = 0; i < curve.size(); ++i) {
+            QCOMPARE(curve[i].x(),
+                     by_way ? errors[i].way_m : errors[i].time_s - path.front().time_s);
+            QCOMPARE(curve[i].y(), errors[i].error_m);
+        }
+    };
+    expect(path_errors(path, reference, whole->pose_reference_estimate), false);
+    strip->findChild<QComboBox*>("figures_along")->setCurrentIndex(1);
+    expect(path_errors(path, reference, whole->pose_reference_estimate), true);
+    strip->findChild<QCheckBox*>("figures_aligned")->click();
+    expect(path_errors(path, reference), true);
+    // The left one is the reference, wherever that lies.
+    for (const QPointF& point : strip->curve(0)) QVERIFY(point.y() < 1e-6);
+}
+
+void RunsTest::paths_have_the_colours_of_their_errors() {
+    RunsFixture f;
+    run_thrice(f);
+    f.session.set_references(moved_path_of_the_first(f));
+    CompareWindow& comparison = compare_first_two(f);
+    comparison.show_figures(true);
+    // Wherever a path is drawn, none of the left one is off, and some of the right one is most.
+    const QColor least = heat_colour(0.0);
+    const QColor most = heat_colour(1.0);
+    const auto has = [](const QImage& image, const QColor& colour) {
+        for (int y = image.height() / 4; y < image.height(); ++y) {  // below the legend
+            for (int x = 0; x < image.width(); ++x) {
+                const QColor there = image.pixelColor(x, y);
+                const int away = std::abs(there.red() - colour.red()) +
+                                 std::abs(there.green() - colour.green()) +
+                                 std::abs(there.blue() - colour.blue());
+                if (away < 12) return true;
+            }
+        }
+        return false;
+    };
+    QTRY_VERIFY(has(seen(comparison.view(0)), least));
+    QVERIFY(!has(seen(comparison.view(0)), most));
+    QTRY_VERIFY(has(seen(comparison.view(1)), most));
+    comparison.set_mode(CompareWindow::Mode::overlaid);
+    QTRY_VERIFY(has(seen(comparison.view(0)), least) && has(seen(comparison.view(0)), most));
+    comparison.show_figures(false);
+    QTRY_VERIFY(!has(seen(comparison.view(0)), least) && !has(seen(comparison.view(0)), most));
+    comparison.show_figures(true);
+    comparison.set_mode(CompareWindow::Mode::blinking);
+    QTRY_VERIFY(has(seen(comparison.view(0)), most));
+    QTRY_VERIFY(!has(seen(comparison.view(0)), most));
+}
+
+void RunsTest::a_run_of_another_log_has_no_figures() {
+    RunsFixture f;
+    f.run_steps(40);
+    Configuracion other = f.session.configuration();
+    other.source.file = Fixture::source_file("data/bigloop-noisy.log.gz").toStdString();
+    f.session.set_configuration(other);
+    f.run_steps(40);
+    References references;
+    references.trajectory = f.session.snapshot()->odometry_trajectory;
+    f.session.set_references(references);
+    f.trigger("action_compare");
+    CompareWindow& comparison = f.comparison();
+    comparison.choose(0, {0, false});
+    comparison.choose(1, {1, false});
+    comparison.show_figures(true);
+    auto* strip = comparison.findChild<ErrorStrip*>("compare_figures");
+    QCOMPARE(strip->curve(0).size(), std::size_t{40});
+    QVERIFY(strip->curve(1).empty());
+    const QString said = strip->findChild<QLabel*>("figures_right")->text();
+    QVERIFY2(said.contains("bigloop.log.gz"), qPrintable(said));
+    // What is shown follows the run.
+    f.run_steps(20);
+    QTRY_COMPARE(strip->findChild<QLabel*>("figures_left")->text().count("40"), 1);
+    references.trajectory = f.session.snapshot()->odometry_trajectory;
+    f.session.set_references(references);
+    QCOMPARE(strip->curve(0).size(), std::size_t{60});
+    // A reference of another time tells nothing.
+    for (StampedPose& stamped : *references.trajectory) stamped.time_s += 1e6;
+    f.session.set_references(references);
+    QVERIFY(strip->curve(0).empty());
+    QVERIFY(strip->findChild<QLabel*>("figures_left")->text().contains("bigloop-noisy.log.gz"));
+}
+
+void RunsTest::the_plot_of_the_errors_is_saved() {
+    RunsFixture f;
+    run_thrice(f);
+    f.session.set_references(moved_path_of_the_first(f));
+    CompareWindow& comparison = compare_first_two(f);
+    comparison.show_figures(true);
+    const auto* strip = comparison.findChild<ErrorStrip*>("compare_figures");
+    in_dialog<ExportDialog>([](ExportDialog& dialog) { dialog.accept(); });
+    f.prompts.saves = {f.path("errors.pdf")};
+    strip->findChild<QPushButton*>()->click();
+    QVERIFY(Fixture::read(f.path("errors.pdf")).startsWith("%PDF"));
+    QVERIFY2(f.prompts.starts.back().contains("path-errors"), qPrintable(f.prompts.starts.back()));
+    // And the views still are.
+    in_dialog<ExportDialog>([](ExportDialog& dialog) { dialog.accept(); });
+    f.prompts.saves = {f.path("view.png")};
+    emit comparison.view(1).picture_wanted();
+    QVERIFY(!QImage(f.path("view.png")).isNull());
 }
 
 void RunsTest::a_folder_of_results_is_opened() {

@@ -112,6 +112,11 @@ class RunsTest : public QObject {
     void two_runs_are_side_by_side_under_one_camera();
     void two_runs_lie_over_each_other_or_blink();
     void a_run_is_compared_with_its_odometry();
+    void figures_are_hidden_at_first_and_need_a_reference();
+    void figures_are_those_of_the_services();
+    void paths_have_the_colours_of_their_errors();
+    void a_run_of_another_log_has_no_figures();
+    void the_plot_of_the_errors_is_saved();
     void a_folder_of_results_is_opened();
     void a_folder_without_results_is_told();
     void results_without_their_log_are_shown_without_grid();

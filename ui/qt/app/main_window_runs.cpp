@@ -75,8 +75,7 @@ void MainWindow::connect_runs() {
     connect(ui_->action_drive, &QAction::triggered, this, [this] { open_world_window(); });
     connect(ui_->action_compare, &QAction::triggered, runs_,
             [this] { runs_->compare(runs_->panel().chosen()); });
-    connect(runs_, &Runs::picture_wanted, results_,
-            [this](GridView* view) { results_->save_figure(view->exportable()); });
+    connect(runs_, &Runs::picture_wanted, results_, &ResultActions::save_figure);
     connect(runs_, &Runs::opened, this,
             [this](QWidget* window) { window->addActions(ui_->menu_run->actions()); });
 }

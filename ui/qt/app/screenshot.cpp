@@ -187,9 +187,10 @@ void take_screenshot(MainWindow& window, Session& session, const CommandLine& li
     } else if (line.show == "odometry") {
         window.result_actions().view_odometry();
         show_map(window.result_actions().odometry_window(), line);
-    } else if (line.show == "compare") {
+    } else if (line.show == "compare" || line.show == "compare-figures") {
         if (window.runs().comparison() == nullptr) window.runs().compare({});
         CompareWindow& comparison = *window.runs().comparison();
+        comparison.show_figures(line.show == "compare-figures");
         process_until([&comparison] { return !comparison.building(); });
         settle(100);
         write_picture_of(comparison, line);

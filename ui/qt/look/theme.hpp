@@ -3,6 +3,7 @@
 
 #include <QColor>
 #include <QString>
+#include <array>
 
 class QApplication;
 class QWidget;

@@ -9,17 +9,18 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "look/screen_fit.hpp"
 #include "look/theme.hpp"
 #include "views/canvas_paint.hpp"
-#include "views/grid_view.hpp"
 
 namespace hitos::window {
 namespace {
 
 constexpr int kBlinkMs = 700;
+constexpr qint64 kMeasureMs = 250;
 constexpr QSize kCompareSize(1100, 680);
 
 }  // namespace
@@ -44,6 +45,12 @@ CompareWindow::CompareWindow(RunList& list, const ViewSettings& settings, QWidge
     }
     column->addLayout(boxes);
     column->addLayout(views, 1);
+    strip_ = new ErrorStrip(this);
+    strip_->hide();
+    column->addWidget(strip_);
+    connect(strip_, &ErrorStrip::alignment_changed, this, &CompareWindow::measure);
+    connect(strip_, &ErrorStrip::picture_wanted, this, &CompareWindow::picture_wanted);
+    connect(&settings, &ViewSettings::theme_changed, strip_, &ErrorStrip::restyle);
     verdict_ = new QLabel(this);
     verdict_->setObjectName("compare_verdict");
     verdict_->setWordWrap(true);
@@ -60,7 +67,9 @@ CompareWindow::CompareWindow(RunList& list, const ViewSettings& settings, QWidge
             const bool now = !side.choice.odometry || list_.present_rests();
             if (side.choice.number == 0 && now) take(side);
         }
-        paint_sides();
+        // It compares whole paths: no oftener than its cost allows.
+        const qint64 wait_ms = std::max<qint64>(kMeasureMs, 20 * measuring_ms_);
+        list_.present_rests() || since_measured_.elapsed() > wait_ms ? measure() : paint_sides();
     });
     resize(kCompareSize);
     fit_to_screen(*this);
@@ -82,10 +91,22 @@ QWidget* CompareWindow::make_tools() {
     }
     modes_.front()->setChecked(true);
     connect(group, &QButtonGroup::idClicked, this, [this](int id) { set_mode(Mode(id)); });
+    row->addSpacing(12);
+    figures_ = new QToolButton(tools);
+    figures_->setObjectName("compare_figures_shown");
+    figures_->setText(tr("Figures"));
+    figures_->setToolTip(tr("How far both are from the reference trajectory"));
+    figures_->setCheckable(true);
+    connect(figures_, &QToolButton::toggled, this, [this](bool on) {
+        strip_->setVisible(on);
+        measure();
+        emit figures_shown(on);
+    });
+    row->addWidget(figures_);
     row->addStretch(1);
     auto* picture = new QPushButton(tr("Save image…"), tools);
     connect(picture, &QPushButton::clicked, this,
-            [this] { emit picture_wanted(sides_.front().view); });
+            [this] { emit picture_wanted(sides_.front().view->exportable()); });
     row->addWidget(picture);
     return tools;
 }
@@ -112,7 +133,7 @@ void CompareWindow::make_side(std::size_t side, const ViewSettings& settings) {
     connect(made.view, &CanvasView::camera_moved, this,
             [this, side] { sides_[1 - side].view->look_as(*sides_[side].view); });
     connect(made.view, &CanvasView::picture_wanted, this,
-            [this, view = made.view] { emit picture_wanted(view); });
+            [this, view = made.view] { emit picture_wanted(view->exportable()); });
 }
 
 QString CompareWindow::title_of(const Choice& choice) const {
@@ -146,7 +167,7 @@ void CompareWindow::fill_boxes() {
         }
         take(side);
     }
-    paint_sides();
+    measure();
 }
 
 void CompareWindow::compare(const std::vector<ListedRun>& runs) {
@@ -178,7 +199,7 @@ void CompareWindow::choose(int side, const Choice& choice) {
     changed.box->setCurrentIndex(
         changed.box->findData(QPoint(choice.number, choice.odometry ? 1 : 0)));
     take(changed);
-    paint_sides();
+    measure();
 }
 
 /// What is chosen becomes what is shown.
@@ -217,6 +238,53 @@ void CompareWindow::set_mode(Mode mode) {
     paint_sides();
 }
 
+void CompareWindow::show_figures(bool on) {
+    figures_->setChecked(on);
+}
+
+/// Why there are no figures, and what would help.
+QString CompareWindow::problem_of(const Side& side) const {
+    if (!side.run || side.path().empty()) return tr("no scans yet");
+    const QString log = log_of(*side.run);
+    if (list_.reference_of(*side.run) != nullptr)
+        return tr("the reference knows no pose at the times of its scans (%1)").arg(log);
+    return tr("no reference trajectory of %1 is loaded; “File → Load reference trajectory…” "
+              "takes one of the log in the window")
+        .arg(log);
+}
+
+void CompareWindow::measure() {
+    since_measured_.start();
+    std::array<ErrorStrip::Side, 2> shown;
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+        Side& side = sides_[i];
+        const Trajectory* reference =
+            figures_->isChecked() && side.run ? list_.reference_of(*side.run) : nullptr;
+        side.figures = reference != nullptr
+                           ? path_figures(side.path(), *reference, strip_->aligned())
+                           : PathFigures();
+        shown[i] = {title_of(side.choice), side.figures, problem_of(side)};
+    }
+    strip_->show_sides(shown);
+    measuring_ms_ = since_measured_.elapsed();
+    paint_sides();
+}
+
+/// What is drawn of a side over a grid; with figures, its path has their colours.
+RunTrace CompareWindow::trace_of(std::size_t side, bool landmarks) const {
+    const Side& of = sides_[side];
+    RunTrace trace{title_of(of.choice), side_colour(side, light_colours()), points_of(of.path()),
+                   landmarks ? MarkedMap{of.run->map, of.run->line_extents} : MarkedMap{}};
+    if (of.figures.errors.empty()) return trace;
+    trace.errors_m.assign(trace.path.size(), std::numeric_limits<double>::quiet_NaN());
+    for (const PathError& error : of.figures.errors) {
+        if (error.pose < trace.errors_m.size()) trace.errors_m[error.pose] = error.error_m;
+    }
+    trace.greatest_m =
+        std::max(sides_.front().figures.greatest_m(), sides_.back().figures.greatest_m());
+    return trace;
+}
+
 void CompareWindow::show_in(GridView& view, const Side& side) const {
     if (!side.run) return;
     view.set_grid(side.grid, side.path());
@@ -245,22 +313,25 @@ void CompareWindow::paint_sides() {
     auto& [left, right] = sides_;
     const bool one_view = mode_ != Mode::side_by_side;
     show_in(*left.view, one_view && blinked_ ? right : left);
-    std::vector<RunTrace> traces;
-    if (mode_ == Mode::overlaid) {
-        for (const Side* side : {&left, &right}) {
-            if (!side->run) continue;
+    std::array<std::vector<RunTrace>, 2> traces;  // of both views
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+        const Side& side = sides_[i];
+        if (!side.run) continue;
+        if (mode_ == Mode::overlaid) {
             // The left one's own marks are those of the grid.
-            const bool marks = side == &right && !side->choice.odometry;
-            const QColor colour = side == &left ? light_colours().path : colour_of({1, nullptr});
-            traces.push_back(
-                {title_of(side->choice), colour, points_of(side->path()),
-                 marks ? MarkedMap{side->run->map, side->run->line_extents} : MarkedMap{}});
+            traces.front().push_back(trace_of(i, i == 1 && !side.choice.odometry));
+            continue;
         }
-    } else if (mode_ == Mode::blinking) {
-        traces.push_back(
-            {title_of((blinked_ ? right : left).choice), light_colours().path, {}, {}});
+        if (mode_ == Mode::blinking && blinked_ != (i == 1)) continue;
+        std::vector<RunTrace>& shown = traces[one_view ? 0 : i];
+        if (!side.figures.errors.empty()) {
+            shown.push_back(trace_of(i, false));
+        } else if (mode_ == Mode::blinking) {  // its path is that of the grid
+            shown.push_back({title_of(side.choice), light_colours().path, {}, {}});
+        }
     }
-    left.view->set_traces(std::move(traces));
+    left.view->set_traces(std::move(traces.front()));
+    right.view->set_traces(std::move(traces.back()));
     if (!one_view) show_in(*right.view, right);
     if (left.run && right.run) {
         const QRectF both = left.content().united(right.content());

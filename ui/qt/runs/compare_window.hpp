@@ -2,12 +2,15 @@
 #pragma once
 
 #include <QDialog>
+#include <QElapsedTimer>
 #include <QTimer>
 #include <array>
 #include <memory>
 #include <vector>
 
+#include "error_strip.hpp"
 #include "run_list.hpp"
+#include "views/grid_view.hpp"
 #include "views/view_settings.hpp"
 #include "workers/map_builder.hpp"
 
@@ -16,8 +19,6 @@ class QLabel;
 class QToolButton;
 
 namespace hitos::window {
-
-class GridView;
 
 /// The grid maps, landmarks and paths of two runs of a list, or of a run and its odometry, under
 /// one camera. A grid that was not kept is made from the log.
@@ -41,13 +42,16 @@ class CompareWindow final : public QDialog {
     void choose(int side, const Choice& choice);
     void set_mode(Mode mode);
     Mode mode() const { return mode_; }
+    /// How far both are from the reference, below the views and as the colour of their paths.
+    void show_figures(bool on);
     /// Left and right; the left one is the only one in sight but in side_by_side.
     GridView& view(int side) const { return *sides_[static_cast<std::size_t>(side)].view; }
     /// Whether a grid is still being made.
     bool building() const;
 
   signals:
-    void picture_wanted(hitos::window::GridView* view);
+    void picture_wanted(const hitos::window::Exportable& figure);
+    void figures_shown(bool on);
 
   private:
     struct Side {
@@ -58,6 +62,7 @@ class CompareWindow final : public QDialog {
         Choice choice;
         GridTiles grid;
         bool made = false;  ///< by the builder
+        PathFigures figures;
 
         const Trajectory& path() const { return choice.odometry ? run->odometry : run->path; }
         /// All that there is to see [m].
@@ -70,6 +75,9 @@ class CompareWindow final : public QDialog {
     void take(Side& side);
     void refresh_grid(Side& side);
     void paint_sides();
+    void measure();
+    QString problem_of(const Side& side) const;
+    RunTrace trace_of(std::size_t side, bool landmarks) const;
     QString verdict() const;
     void show_in(GridView& view, const Side& side) const;
     QString title_of(const Choice& choice) const;
@@ -77,7 +85,11 @@ class CompareWindow final : public QDialog {
     RunList& list_;
     std::array<Side, 2> sides_;
     std::array<QToolButton*, 3> modes_{};
+    QToolButton* figures_ = nullptr;
+    ErrorStrip* strip_ = nullptr;
     QLabel* verdict_ = nullptr;
+    QElapsedTimer since_measured_;
+    qint64 measuring_ms_ = 0;  ///< that it took
     Mode mode_ = Mode::side_by_side;
     QTimer blink_;
     bool blinked_ = false;  ///< the second one is in sight

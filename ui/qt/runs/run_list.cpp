@@ -141,6 +141,12 @@ bool RunList::present_rests() const {
     return session_.progress().state != Progress::State::running;
 }
 
+const Trajectory* RunList::reference_of(const KeptRun& run) const {
+    const std::optional<Trajectory>& reference = session_.references().trajectory;
+    const bool known = reference && same_log(run.configuration, session_.configuration());
+    return known ? &*reference : nullptr;
+}
+
 ListedRun RunList::open(const QString& folder) {
     ListedRun listed{0, in_background([&] {
                          return std::make_shared<const KeptRun>(read_results(folder.toStdString()));

@@ -47,6 +47,9 @@ class RunList final : public QObject {
     std::vector<ListedRun> runs() const;
     /// Whether the run of the window does not go on at the moment.
     bool present_rests() const;
+    /// Where the robot of such a run was, as the references tell; null where nothing is known of
+    /// its log. Until changed().
+    const Trajectory* reference_of(const KeptRun& run) const;
     /// Reads a folder of results. Throws hitos::Error.
     ListedRun open(const QString& folder);
     void remove(int number);

@@ -5,10 +5,16 @@
 #include "runs_panel.hpp"
 
 namespace hitos::window {
+namespace {
+
+constexpr auto kFiguresKey = "compare/figures";
+
+}  // namespace
 
 Runs::Runs(Session& session, UserFiles& files, Prompts& prompts, const ViewSettings& settings,
            const DockPlace& place)
     : QObject(place.window),
+      files_(files),
       settings_(settings),
       window_(place.window),
       list_(new RunList(session, this)),
@@ -39,6 +45,9 @@ void Runs::compare(const std::vector<ListedRun>& runs) {
         comparison_ = new CompareWindow(*list_, settings_, window_);
         comparison_->setAttribute(Qt::WA_DeleteOnClose);
         connect(comparison_, &CompareWindow::picture_wanted, this, &Runs::picture_wanted);
+        comparison_->show_figures(files_.settings().value(kFiguresKey).toBool());
+        connect(comparison_, &CompareWindow::figures_shown, this,
+                [this](bool on) { files_.settings().setValue(kFiguresKey, on); });
         emit opened(comparison_);
     }
     comparison_->show();

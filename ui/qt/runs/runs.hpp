@@ -13,7 +13,6 @@
 
 namespace hitos::window {
 
-class GridView;
 class ResultActions;
 class RunsPanel;
 
@@ -39,9 +38,10 @@ class Runs final : public QObject {
 
   signals:
     void opened(QWidget* window);
-    void picture_wanted(hitos::window::GridView* view);
+    void picture_wanted(const hitos::window::Exportable& figure);
 
   private:
+    UserFiles& files_;
     const ViewSettings& settings_;
     QMainWindow* window_;
     RunList* list_;

@@ -4931,6 +4931,26 @@
         <source>The logs differ: %1 and %2</source>
         <translation>Los registros difieren: %1 y %2</translation>
     </message>
+    <message>
+        <source>Figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far both are from the reference trajectory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no scans yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference knows no pose at the times of its scans (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no reference trajectory of %1 is loaded; “File → Load reference trajectory…” takes one of the log in the window</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::ConfigurationActions</name>
@@ -5303,6 +5323,69 @@
     <message>
         <source>The tour stands still</source>
         <translation>El recorrido está parado</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::ErrorStrip</name>
+    <message>
+        <source>%1: ATE %2 (RMSE), mean %3, greatest %4; heading %5 (RMSE)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; RPE per metre %1, %2 (RMSE)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; poses compared: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Aligned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each path is laid over the reference as well as possible, as for the ATE; else so that the first poses agree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save plot…</source>
+        <translation type="unfinished">Guardar gráfica…</translation>
+    </message>
+    <message>
+        <source>Distance from the reference [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Way [m]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation type="unfinished">Tiempo [s]</translation>
+    </message>
+    <message>
+        <source>Path errors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation type="unfinished">Copiar imagen</translation>
+    </message>
+    <message>
+        <source>Save as image…</source>
+        <translation type="unfinished">Guardar como imagen…</translation>
     </message>
 </context>
 <context>

@@ -2,24 +2,70 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "hitos/services/drawing/map_figure.hpp"
+#include "look/words_of.hpp"
 #include "particle_painter.hpp"
 
 namespace hitos::window {
 namespace {
+
+/// The path in its colour, and on it how far it is off.
+void draw_errors(QPainter& painter, const Scene& scene, const RunTrace& trace) {
+    constexpr double kLeastPixels = 3.0;
+    draw_path(painter, scene, trace.path, thin_pen(trace.colour, 5.0));
+    std::optional<QPointF> last;
+    for (std::size_t i = 0; i < trace.path.size(); ++i) {
+        const QPointF pixel = scene.to_screen.map(trace.path[i]);
+        if (last && QLineF(*last, pixel).length() < kLeastPixels) continue;
+        if (last && std::isfinite(trace.errors_m[i])) {
+            const double share = trace.errors_m[i] / std::max(trace.greatest_m, 1e-9);
+            painter.setPen(thin_pen(heat_colour(share), 2.6));
+            painter.drawLine(*last, pixel);
+        }
+        last = pixel;
+    }
+}
+
+/// Its two ends in metres beside it.
+void draw_error_scale(QPainter& painter, const QRectF& row, double greatest_m) {
+    constexpr double kGap = 6.0;
+    constexpr double kThick = 8.0;
+    const QString least = QStringLiteral("0");
+    const QString greatest = metre_words(greatest_m);
+    const QFontMetricsF metrics(painter.font());
+    const QRectF bar(
+        row.left() + metrics.horizontalAdvance(least) + kGap, row.center().y() - kThick / 2.0,
+        row.width() - metrics.horizontalAdvance(least + greatest) - 2.0 * kGap, kThick);
+    QLinearGradient gradient(bar.topLeft(), bar.topRight());
+    constexpr int kStops = 8;
+    for (int i = 0; i <= kStops; ++i) {
+        const double share = static_cast<double>(i) / kStops;
+        gradient.setColorAt(share, heat_colour(share));
+    }
+    painter.setPen(light_colours().text);
+    painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, least);
+    painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, greatest);
+    painter.setPen(Qt::NoPen);
+    painter.fillRect(bar, gradient);
+}
 
 /// In the upper left corner: what each colour stands for.
 void draw_legend(QPainter& painter, const std::vector<RunTrace>& traces) {
     if (traces.empty()) return;
     constexpr double kMargin = 8.0;
     constexpr double kStroke = 22.0;
+    constexpr double kScale = 130.0;
     const QFontMetricsF metrics(painter.font());
-    double width = 0.0;
+    const auto coloured =
+        std::ranges::find_if(traces, [](const RunTrace& trace) { return !trace.errors_m.empty(); });
+    const bool scale = coloured != traces.end();
+    double width = scale ? kScale : 0.0;
     for (const RunTrace& trace : traces)
         width = std::max(width, metrics.horizontalAdvance(trace.name));
-    const double height = metrics.height() * static_cast<double>(traces.size());
+    const double height = metrics.height() * static_cast<double>(traces.size() + (scale ? 1 : 0));
     const Colours& paper = light_colours();
     painter.setPen(thin_pen(paper.border));
     painter.setBrush(faded(paper.card, 225));
@@ -35,6 +81,11 @@ void draw_legend(QPainter& painter, const std::vector<RunTrace>& traces) {
             trace.name);
         y += metrics.height();
     }
+    if (!scale) return;
+    draw_error_scale(painter,
+                     QRectF(2.0 * kMargin, y - metrics.height() / 2.0, width + kStroke + kMargin,
+                            metrics.height()),
+                     coloured->greatest_m);
 }
 
 constexpr double kPaperWidth = 85.0;  // mm
@@ -233,7 +284,11 @@ void GridView::paint_traces(QPainter& painter, const Scene& scene) const {
     for (const RunTrace& trace : traces_) {
         style.colour = trace.colour;
         if (layers().has(Layer::landmarks)) draw_landmarks(painter, paper, trace.landmarks, style);
-        draw_path(painter, scene, trace.path, thin_pen(trace.colour, 1.8));
+        if (trace.errors_m.empty()) {
+            draw_path(painter, scene, trace.path, thin_pen(trace.colour, 1.8));
+        } else {
+            draw_errors(painter, scene, trace);
+        }
     }
     if (scene.chrome) draw_legend(painter, traces_);
 }

@@ -19,6 +19,10 @@ struct RunTrace {
     QColor colour;
     std::vector<QPointF> path;
     MarkedMap landmarks;  ///< may have none
+    /// How far each point of the path is off [m], where it is coloured by that; not a number where
+    /// it is not known.
+    std::vector<double> errors_m = {};
+    double greatest_m = 0.0;  ///< end of the scale of colours
 };
 
 /// A grid map in the world's frame: that of a snapshot, or one that a builder makes.

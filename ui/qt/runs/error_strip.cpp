@@ -1,0 +1,212 @@
+#include "error_strip.hpp"
+
+#include <qcustomplot.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QContextMenuEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "look/words_of.hpp"
+#include "run_list.hpp"
+#include "views/plot_style.hpp"
+
+namespace hitos::window {
+namespace {
+
+constexpr double kRelativeWay = 1.0;  // [m]
+
+QString words_of_side(const ErrorStrip::Side& side) {
+    const auto& [absolute, relative, errors, begin] = side.figures;
+    if (!absolute) return side.name + ": " + side.problem;
+    QString words =
+        ErrorStrip::tr("%1: ATE %2 (RMSE), mean %3, greatest %4; heading %5 (RMSE)")
+            .arg(side.name, metre_words(absolute->rmse_m), metre_words(absolute->mean_m),
+                 metre_words(absolute->maximum_m), degree_words(absolute->heading_rmse_rad));
+    if (relative) {
+        words += ErrorStrip::tr("; RPE per metre %1, %2 (RMSE)")
+                     .arg(metre_words(relative->translation_m.rmse),
+                          degree_words(relative->rotation_rad.rmse));
+    }
+    return words + ErrorStrip::tr("; poses compared: %1").arg(absolute->poses);
+}
+
+}  // namespace
+
+double PathFigures::greatest_m() const {
+    double greatest = 0.0;
+    for (const PathError& error : errors) greatest = std::max(greatest, error.error_m);
+    return greatest;
+}
+
+PathFigures path_figures(const Trajectory& path, const Trajectory& reference, bool aligned) {
+    PathFigures figures;
+    figures.absolute = trajectory_error(path, reference);
+    if (!figures.absolute) return figures;
+    figures.relative = relative_error(path, reference, {PairSpacing::By::distance, kRelativeWay});
+    figures.errors = path_errors(
+        path, reference,
+        aligned ? std::optional(figures.absolute->pose_reference_estimate) : std::nullopt);
+    figures.begin_s = path.front().time_s;
+    return figures;
+}
+
+QColor side_colour(std::size_t side, const Colours& colours) {
+    constexpr int kLightBlue = 5;  // neither the red of the one nor the blue of landmarks
+    return side == 0 ? colours.path : colour_of({kLightBlue, nullptr});
+}
+
+ErrorStrip::ErrorStrip(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
+    setObjectName("compare_figures");
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(make_tools());
+    make_plot();
+    column->addWidget(plot_);
+    for (QLabel*& words : words_) {
+        words = new QLabel(this);
+        words->setTextFormat(Qt::PlainText);
+        words->setWordWrap(true);
+        column->addWidget(words);
+    }
+    words_[0]->setObjectName("figures_left");
+    words_[1]->setObjectName("figures_right");
+    restyle();
+}
+
+QWidget* ErrorStrip::make_tools() {
+    auto* tools = new QWidget(this);
+    auto* row = new QHBoxLayout(tools);
+    row->setContentsMargins(0, 0, 0, 0);
+    along_ = new QComboBox(tools);
+    along_->setObjectName("figures_along");
+    along_->setAccessibleName(tr("Error along"));
+    along_->addItems({tr("Over time"), tr("By way")});
+    connect(along_, &QComboBox::currentIndexChanged, this, &ErrorStrip::draw);
+    aligned_ = new QCheckBox(tr("Aligned"), tools);
+    aligned_->setObjectName("figures_aligned");
+    aligned_->setToolTip(
+        tr("Each path is laid over the reference as well as possible, as for the "
+           "ATE; else so that the first poses agree"));
+    aligned_->setChecked(true);
+    connect(aligned_, &QCheckBox::toggled, this, &ErrorStrip::alignment_changed);
+    auto* picture = new QPushButton(tr("Save plot…"), tools);
+    connect(picture, &QPushButton::clicked, this, [this] { emit picture_wanted(exportable()); });
+    row->addWidget(along_);
+    row->addWidget(aligned_);
+    row->addStretch(1);
+    row->addWidget(picture);
+    return tools;
+}
+
+void ErrorStrip::make_plot() {
+    constexpr int kHeight = 130;
+    plot_->setFixedHeight(kHeight);
+    plot_->plotLayout()->clear();
+    plot_->plotLayout()->setRowSpacing(2);
+    plot_->setContextMenuPolicy(Qt::NoContextMenu);
+    rect_ = add_titled_plot(*plot_, 0, 0, tr("Distance from the reference [m]"));
+    for (QCPAxis* axis : rect_->axes()) axis->ticker()->setTickCount(4);
+    auto* legend = new QCPLegend;
+    rect_->insetLayout()->addElement(legend, Qt::AlignTop | Qt::AlignLeft);
+    legend->setLayer("legend");
+    legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    for (QCPGraph*& curve : curves_) {
+        curve = plot_->addGraph(rect_->axis(QCPAxis::atBottom), rect_->axis(QCPAxis::atLeft));
+        curve->addToLegend(legend);
+    }
+}
+
+bool ErrorStrip::aligned() const {
+    return aligned_->isChecked();
+}
+
+void ErrorStrip::show_sides(const std::array<Side, 2>& sides) {
+    sides_ = sides;
+    for (std::size_t side = 0; side < sides_.size(); ++side) {
+        words_[side]->setText(words_of_side(sides_[side]));
+        curves_[side]->setName(sides_[side].name);
+    }
+    draw();
+}
+
+void ErrorStrip::draw() {
+    constexpr double kRoom = 1.35;  // with the legend
+    const bool by_way = along_->currentIndex() == 1;
+    double begin_s = std::numeric_limits<double>::infinity();
+    for (const Side& side : sides_) {
+        if (!side.figures.errors.empty()) begin_s = std::min(begin_s, side.figures.begin_s);
+    }
+    double length = 0.0;
+    double top = 0.0;
+    for (std::size_t side = 0; side < sides_.size(); ++side) {
+        QVector<double> xs;
+        QVector<double> ys;
+        for (const PathError& error : sides_[side].figures.errors) {
+            xs << (by_way ? error.way_m : error.time_s - begin_s);
+            ys << error.error_m;
+            length = std::max(length, xs.back());
+        }
+        curves_[side]->setData(xs, ys);
+        top = std::max(top, sides_[side].figures.greatest_m());
+    }
+    const bool any = std::isfinite(begin_s);
+    for (QWidget* shown : {along_->parentWidget(), static_cast<QWidget*>(plot_)})
+        shown->setVisible(any);
+    QCPAxis* bottom = rect_->axis(QCPAxis::atBottom);
+    bottom->setLabel(by_way ? tr("Way [m]") : tr("Time [s]"));
+    bottom->setRange(0.0, length > 0.0 ? length : 1.0);
+    rect_->axis(QCPAxis::atLeft)->setRange(0.0, top > 0.0 ? kRoom * top : 1.0);
+    plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void ErrorStrip::restyle() {
+    style(colours());
+    plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void ErrorStrip::style(const Colours& c) {
+    constexpr double kLine = 1.6;
+    const QFont small = plot_font(font());
+    plot_->setBackground(c.card);
+    style_plot(*rect_, *title_of(*plot_, 0, 0), c, small);
+    for (std::size_t side = 0; side < curves_.size(); ++side)
+        curves_[side]->setPen(QPen(side_colour(side, c), kLine));
+    auto* legend = qobject_cast<QCPLegend*>(rect_->insetLayout()->elementAt(0));
+    legend->setBorderPen(Qt::NoPen);
+    legend->setBrush(c.chip);
+    legend->setFont(small);
+    legend->setTextColor(c.text);
+}
+
+std::vector<QPointF> ErrorStrip::curve(std::size_t side) const {
+    std::vector<QPointF> points;
+    for (const QCPGraphData& point : *curves_[side]->data())
+        points.emplace_back(point.key, point.value);
+    return points;
+}
+
+Exportable ErrorStrip::exportable() {
+    return {tr("Path errors"), "path-errors", font(), {figure_of(*plot_, [this](const Colours& c) {
+                style(c);
+            })}};
+}
+
+void ErrorStrip::contextMenuEvent(QContextMenuEvent* event) {
+    if (!plot_->isVisible()) return;
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("Copy picture"), this, [this] { copy(exportable().offers.front()); });
+    menu->addAction(tr("Save as image…"), this, [this] { emit picture_wanted(exportable()); });
+    menu->popup(event->globalPos());
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,83 @@
+// How far two runs are from the truth: along the time or the way, and in figures.
+#pragma once
+
+#include <QColor>
+#include <QPointF>
+#include <QString>
+#include <QWidget>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "hitos/services/evaluation/path_errors.hpp"
+#include "hitos/services/evaluation/relative_error.hpp"
+#include "look/theme.hpp"
+#include "views/figure.hpp"
+
+class QCheckBox;
+class QComboBox;
+class QCPAxisRect;
+class QCPGraph;
+class QCustomPlot;
+class QLabel;
+
+namespace hitos::window {
+
+/// A path against the reference of its log.
+struct PathFigures {
+    std::optional<TrajectoryError> absolute;  ///< nothing where the reference tells nothing of it
+    std::optional<RelativeError> relative;    ///< over one metre of the way
+    std::vector<PathError> errors;            ///< aligned as `absolute`, or by the first pose
+    double begin_s = 0.0;                     ///< its first stamp
+
+    double greatest_m() const;
+};
+PathFigures path_figures(const Trajectory& path, const Trajectory& reference, bool aligned);
+
+/// The two sides of a comparison, one over the other.
+class ErrorStrip final : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit ErrorStrip(QWidget* parent);
+
+    struct Side {
+        QString name;
+        PathFigures figures;
+        QString problem = {};  ///< why there are no figures
+    };
+    void show_sides(const std::array<Side, 2>& sides);
+    /// Whether the errors are to be those after the alignment of the ATE.
+    bool aligned() const;
+    void restyle();
+
+    /// What is drawn of a side, for tests: seconds or metres of way, and metres.
+    std::vector<QPointF> curve(std::size_t side) const;
+
+  signals:
+    void alignment_changed();
+    void picture_wanted(const hitos::window::Exportable& figure);
+
+  protected:
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+  private:
+    QWidget* make_tools();
+    void make_plot();
+    void draw();
+    void style(const Colours& colours);
+    Exportable exportable();
+
+    std::array<Side, 2> sides_;
+    QComboBox* along_ = nullptr;
+    QCheckBox* aligned_ = nullptr;
+    QCustomPlot* plot_;
+    QCPAxisRect* rect_ = nullptr;
+    std::array<QCPGraph*, 2> curves_{};
+    std::array<QLabel*, 2> words_{};
+};
+
+/// Of a side's path, wherever it is drawn.
+QColor side_colour(std::size_t side, const Colours& colours);
+
+}  // namespace hitos::window
