@@ -4933,23 +4933,23 @@
     </message>
     <message>
         <source>Figures</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifras</translation>
     </message>
     <message>
         <source>How far both are from the reference trajectory</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuánto se apartan ambos de la trayectoria de referencia</translation>
     </message>
     <message>
         <source>no scans yet</source>
-        <translation type="unfinished"></translation>
+        <translation>aún sin barridos</translation>
     </message>
     <message>
         <source>the reference knows no pose at the times of its scans (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>la referencia no conoce ninguna pose en los tiempos de sus barridos (%1)</translation>
     </message>
     <message>
         <source>no reference trajectory of %1 is loaded; “File → Load reference trajectory…” takes one of the log in the window</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay cargada ninguna trayectoria de referencia de %1; «Archivo → Cargar trayectoria de referencia…» toma una del registro de la ventana</translation>
     </message>
 </context>
 <context>
@@ -5329,63 +5329,63 @@
     <name>hitos::window::ErrorStrip</name>
     <message>
         <source>%1: ATE %2 (RMSE), mean %3, greatest %4; heading %5 (RMSE)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: ATE %2 (RMSE), media %3, máximo %4; orientación %5 (RMSE)</translation>
     </message>
     <message>
         <source>; RPE per metre %1, %2 (RMSE)</source>
-        <translation type="unfinished"></translation>
+        <translation>; RPE por metro %1, %2 (RMSE)</translation>
     </message>
     <message>
         <source>; poses compared: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>; poses comparadas: %1</translation>
     </message>
     <message>
         <source>Error along</source>
-        <translation type="unfinished"></translation>
+        <translation>Error a lo largo de</translation>
     </message>
     <message>
         <source>Over time</source>
-        <translation type="unfinished"></translation>
+        <translation>En el tiempo</translation>
     </message>
     <message>
         <source>By way</source>
-        <translation type="unfinished"></translation>
+        <translation>Por camino</translation>
     </message>
     <message>
         <source>Aligned</source>
-        <translation type="unfinished"></translation>
+        <translation>Alineadas</translation>
     </message>
     <message>
         <source>Each path is laid over the reference as well as possible, as for the ATE; else so that the first poses agree</source>
-        <translation type="unfinished"></translation>
+        <translation>Cada trayectoria se superpone a la referencia lo mejor posible, como para el ATE; si no, de modo que coincidan las primeras poses</translation>
     </message>
     <message>
         <source>Save plot…</source>
-        <translation type="unfinished">Guardar gráfica…</translation>
+        <translation>Guardar gráfica…</translation>
     </message>
     <message>
         <source>Distance from the reference [m]</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia a la referencia [m]</translation>
     </message>
     <message>
         <source>Way [m]</source>
-        <translation type="unfinished"></translation>
+        <translation>Camino recorrido [m]</translation>
     </message>
     <message>
         <source>Time [s]</source>
-        <translation type="unfinished">Tiempo [s]</translation>
+        <translation>Tiempo [s]</translation>
     </message>
     <message>
         <source>Path errors</source>
-        <translation type="unfinished"></translation>
+        <translation>Errores de las trayectorias</translation>
     </message>
     <message>
         <source>Copy picture</source>
-        <translation type="unfinished">Copiar imagen</translation>
+        <translation>Copiar imagen</translation>
     </message>
     <message>
         <source>Save as image…</source>
-        <translation type="unfinished">Guardar como imagen…</translation>
+        <translation>Guardar como imagen…</translation>
     </message>
 </context>
 <context>
