@@ -259,9 +259,11 @@ void FitTest::every_window_fits() {
         check_dialog(*f.window->result_actions().odometry_window(), {820, 680}, "map");
         f.trigger("action_compare");
         check_dialog(*f.window->runs().comparison(), {1100, 680}, "compare");
+        f.run_steps(30);
         References references;
         references.trajectory = f.session.snapshot()->odometry_trajectory;
         f.session.set_references(references);
+        f.trigger("action_compare");
         f.window->runs().comparison()->show_figures(true);
         check_dialog(*f.window->runs().comparison(), {1100, 680}, "compare with figures");
         f.trigger("action_guide");
