@@ -6143,16 +6143,8 @@
         <translation>acercar, ajustar y mover la vista en uso</translation>
     </message>
     <message>
-        <source>Study of one parameter…</source>
-        <translation>Estudio de un parámetro…</translation>
-    </message>
-    <message>
         <source>Run several values of a parameter and compare the maps</source>
         <translation>Ejecutar varios valores de un parámetro y comparar los mapas</translation>
-    </message>
-    <message>
-        <source>study of one parameter</source>
-        <translation>estudio de un parámetro</translation>
     </message>
     <message>
         <source>View one particle…</source>
@@ -6465,6 +6457,18 @@
     <message>
         <source>Large letters and one view, for a classroom</source>
         <translation>Letras grandes y una vista, para una clase</translation>
+    </message>
+    <message>
+        <source>Study of parameters…</source>
+        <translation>Estudio de parámetros…</translation>
+    </message>
+    <message>
+        <source>study of parameters</source>
+        <translation>estudio de parámetros</translation>
+    </message>
+    <message>
+        <source>Set as in the study: %1. Undo takes it back</source>
+        <translation>Puesto como en el estudio: %1. Deshacer lo quita</translation>
     </message>
 </context>
 <context>
@@ -7362,10 +7366,6 @@
 <context>
     <name>hitos::window::StudyDialog</name>
     <message>
-        <source>Study of one parameter</source>
-        <translation>Estudio de un parámetro</translation>
-    </message>
-    <message>
         <source>With the other parameters as they are set in the main window.</source>
         <translation>Con los demás parámetros como están en la ventana principal.</translation>
     </message>
@@ -7581,24 +7581,36 @@
         <source>Runs that are the same are kept and not done again. What is there stays until the new study is complete; then its tables and plots take the place of these.</source>
         <translation>Las ejecuciones iguales se conservan y no se repiten. Lo que hay se queda hasta que el estudio nuevo esté completo; entonces sus tablas y gráficas ocupan su lugar.</translation>
     </message>
+    <message>
+        <source>Study of parameters</source>
+        <translation>Estudio de parámetros</translation>
+    </message>
+    <message>
+        <source>An&amp;d parameter</source>
+        <translation>&amp;Otro parámetro</translation>
+    </message>
+    <message>
+        <source>What is varied too: every value of the first parameter is run with every one of this</source>
+        <translation>Lo que se varía además: cada valor del primer parámetro se ejecuta con cada uno de este</translation>
+    </message>
+    <message>
+        <source>Its va&amp;lues</source>
+        <translation>Sus va&amp;lores</translation>
+    </message>
+    <message>
+        <source>Use these values</source>
+        <translation>Usar estos valores</translation>
+    </message>
+    <message>
+        <source>Set what is chosen in the plot in the main window</source>
+        <translation>Poner en la ventana principal lo elegido en la gráfica</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::StudyForm</name>
     <message>
         <source>all (%1)</source>
         <translation>todos (%1)</translation>
-    </message>
-    <message>
-        <source>%1 Allowed: %2. Now: %3.</source>
-        <translation>%1 Permitido: %2. Ahora: %3.</translation>
-    </message>
-    <message>
-        <source>Join the parts of a value by “/”.</source>
-        <translation>Una las partes de un valor con «/».</translation>
-    </message>
-    <message>
-        <source>A name from the list, or keys joined by “+”.</source>
-        <translation>Un nombre de la lista, o claves unidas por «+».</translation>
     </message>
     <message>
         <source>Reference map</source>
@@ -7625,16 +7637,8 @@
         <translation>Elija una carpeta para los resultados.</translation>
     </message>
     <message>
-        <source>Values with semicolons or blanks between them, or a range from:to:step.</source>
-        <translation>Valores separados por punto y coma o espacios, o un intervalo desde:hasta:paso.</translation>
-    </message>
-    <message>
-        <source>Values with commas, semicolons or blanks between them, or a range from:to:step.</source>
-        <translation>Valores separados por comas, punto y coma o espacios, o un intervalo desde:hasta:paso.</translation>
-    </message>
-    <message>
-        <source>Values: %1 (%2). Runs in all: %3.</source>
-        <translation>Valores: %1 (%2). Ejecuciones en total: %3.</translation>
+        <source>Runs in all: %1</source>
+        <translation>En total: %1</translation>
     </message>
 </context>
 <context>
@@ -7662,6 +7666,45 @@
     <message>
         <source>Study</source>
         <translation>Estudio</translation>
+    </message>
+    <message>
+        <source>%1: mean over the runs; framed: the best</source>
+        <translation>%1: media de las ejecuciones; con marco: el mejor</translation>
+    </message>
+    <message>
+        <source>Failed: %1</source>
+        <translation>Fallidas: %1</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::StudyRow</name>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>%1 Allowed: %2. Now: %3.</source>
+        <translation>%1 Permitido: %2. Ahora: %3.</translation>
+    </message>
+    <message>
+        <source>Join the parts of a value by “/”.</source>
+        <translation>Una las partes de un valor con «/».</translation>
+    </message>
+    <message>
+        <source>A name from the list, or keys joined by “+”.</source>
+        <translation>Un nombre de la lista, o claves unidas por «+».</translation>
+    </message>
+    <message>
+        <source>Values with semicolons or blanks between them, or a range from:to:step.</source>
+        <translation>Valores separados por punto y coma o espacios, o un intervalo desde:hasta:paso.</translation>
+    </message>
+    <message>
+        <source>Values with commas, semicolons or blanks between them, or a range from:to:step.</source>
+        <translation>Valores separados por comas, punto y coma o espacios, o un intervalo desde:hasta:paso.</translation>
+    </message>
+    <message>
+        <source>Values: %1 (%2).</source>
+        <translation>Valores: %1 (%2).</translation>
     </message>
 </context>
 <context>
