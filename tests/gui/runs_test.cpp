@@ -5,11 +5,14 @@
 #include <qcustomplot.h>
 
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QImage>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
@@ -436,7 +439,18 @@ void RunsTest::the_plot_of_the_errors_is_saved() {
     strip->findChild<QPushButton*>()->click();
     QVERIFY(Fixture::read(f.path("errors.pdf")).startsWith("%PDF"));
     QVERIFY2(f.prompts.starts.back().contains("path-errors"), qPrintable(f.prompts.starts.back()));
-    // And the views still are.
+    // A right click copies it.
+    QApplication::clipboard()->clear();
+    auto* plot = strip->findChild<QCustomPlot*>();
+    const QPoint middle = plot->rect().center();
+    QContextMenuEvent click(QContextMenuEvent::Mouse, middle, plot->mapToGlobal(middle));
+    QApplication::sendEvent(plot, &click);
+    auto* menu = strip->findChild<QMenu*>();
+    QVERIFY(menu != nullptr && menu->actions().size() == 2);
+    menu->actions().front()->trigger();
+    menu->close();
+    QVERIFY(QApplication::clipboard()->image().width() > plot->width());
+    // And the views still are saved.
     in_dialog<ExportDialog>([](ExportDialog& dialog) { dialog.accept(); });
     f.prompts.saves = {f.path("view.png")};
     emit comparison.view(1).picture_wanted();

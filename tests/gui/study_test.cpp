@@ -2,12 +2,17 @@
 
 #include <qcustomplot.h>
 
+#include <qcustomplot.h>
+
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QDirIterator>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QProcess>
 #include <QPushButton>
 #include <QSpinBox>
@@ -23,6 +28,7 @@
 #include "hitos/services/study/study_values.hpp"
 #include "look/written_number.hpp"
 #include "tests.hpp"
+#include "views/study_plots.hpp"
 
 namespace hitos::window {
 namespace {
@@ -595,6 +601,18 @@ void StudyTest::its_plot_is_saved() {
     f.prompts.saves = {f.path("plot.pdf")};
     save();
     QVERIFY(Fixture::read(f.path("plot.pdf")).startsWith("%PDF"));
+    // A right click copies it.
+    QApplication::clipboard()->clear();
+    auto* plots = f.study.findChild<StudyPlots*>();
+    auto* plot = plots->findChild<QCustomPlot*>();
+    const QPoint middle = plot->rect().center();
+    QContextMenuEvent click(QContextMenuEvent::Mouse, middle, plot->mapToGlobal(middle));
+    QApplication::sendEvent(plot, &click);
+    auto* menu = plots->findChild<QMenu*>();
+    QVERIFY(menu != nullptr);
+    menu->actions().front()->trigger();
+    menu->close();
+    QVERIFY(QApplication::clipboard()->image().width() > plot->width());
     // Overwriting declined, a kind that is none, a folder that is not there, given up.
     f.prompts.saves = {f.path("plot.png"), f.path("plot.bmp"), f.path("no/folder/plot.pdf")};
     f.prompts.confirms = {false};

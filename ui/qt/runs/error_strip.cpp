@@ -112,7 +112,7 @@ void ErrorStrip::make_plot() {
     plot_->setFixedHeight(kHeight);
     plot_->plotLayout()->clear();
     plot_->plotLayout()->setRowSpacing(2);
-    plot_->setContextMenuPolicy(Qt::NoContextMenu);
+    leave_menu_to_parent(*plot_);
     rect_ = add_titled_plot(*plot_, 0, 0, tr("Distance from the reference [m]"));
     for (QCPAxis* axis : rect_->axes()) axis->ticker()->setTickCount(4);
     auto* legend = new QCPLegend;

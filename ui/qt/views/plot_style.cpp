@@ -22,6 +22,11 @@ QCPTextElement* title_of(QCustomPlot& plot, int row, int column) {
     return qobject_cast<QCPTextElement*>(plot.plotLayout()->element(2 * row, column));
 }
 
+void leave_menu_to_parent(QCustomPlot& plot) {
+    plot.setContextMenuPolicy(Qt::NoContextMenu);
+    plot.setAttribute(Qt::WA_NoMousePropagation, false);  // as the library sets it
+}
+
 QFont plot_font(const QFont& words) {
     QFont font = words;
     font.setPointSizeF(font.pointSizeF() * 0.85);

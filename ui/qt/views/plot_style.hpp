@@ -18,6 +18,8 @@ namespace hitos::window {
 QCPAxisRect* add_titled_plot(QCustomPlot& plot, int row, int column, const QString& title);
 QCPTextElement* title_of(QCustomPlot& plot, int row, int column);
 
+/// A right click on the plot is one on the widget that it is part of.
+void leave_menu_to_parent(QCustomPlot& plot);
 /// The letters of titles and axes beside words in this font.
 QFont plot_font(const QFont& words);
 /// The plots as a figure as wide as is wished and of the same shape; `style` gives them colours.

@@ -88,7 +88,7 @@ Plots::Plots(Session& session, ReferenceMeter& meter, QWidget* parent)
     plot_->plotLayout()->clear();
     plot_->plotLayout()->setRowSpacing(2);
     plot_->setMinimumSize(kLeastRow, kLeastRow);  // it cannot paint on nothing
-    plot_->setContextMenuPolicy(Qt::NoContextMenu);
+    leave_menu_to_parent(*plot_);
     plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     plot_->installEventFilter(this);
     plot_->setMouseTracking(true);

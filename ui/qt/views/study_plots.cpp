@@ -77,7 +77,7 @@ StudyPlots::StudyPlots(QWidget* parent)
     plot_->setFocusPolicy(Qt::NoFocus);
     plot_->plotLayout()->clear();
     plot_->plotLayout()->setRowSpacing(2);
-    plot_->setContextMenuPolicy(Qt::NoContextMenu);
+    leave_menu_to_parent(*plot_);
     quality_ = make_panel(0);
     landmarks_ = make_panel(1);
     landmarks_.measure = &run_measures().find("landmarks");
