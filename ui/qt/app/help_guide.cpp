@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QDialog>
 #include <QKeyEvent>
-#include <QTimer>
 #include <array>
 
 #include "dialogs/guide_window.hpp"
@@ -83,15 +82,6 @@ void HelpGuide::open(const QString& heading) {
     // A dialog that waits for its answer blocks every window but those that belong to it.
     QWidget* above = QApplication::activeModalWidget();
     belong_to(above == nullptr ? main_ : *above);
-    if (auto* dialog = qobject_cast<QDialog*>(above)) {
-        // To the one that waits then: it may have been opened by another dialog.
-        const auto give_back = [this] {
-            QWidget* waits = QApplication::activeModalWidget();
-            belong_to(waits == nullptr ? main_ : *waits);
-        };
-        connect(dialog, &QDialog::finished, window_,
-                [this, give_back] { QTimer::singleShot(0, window_, give_back); });
-    }
     window_->open(guide, heading);
     window_->show();
     window_->raise();
@@ -108,6 +98,16 @@ void HelpGuide::belong_to(QWidget& window) {
     const bool shown = window_->isVisible();
     window_->setParent(&window, window_->windowFlags());
     window_->setVisible(shown);
+    auto* dialog = qobject_cast<QDialog*>(&window);
+    if (dialog == nullptr) return;
+    connect(dialog, &QDialog::finished, this, &HelpGuide::give_back, Qt::UniqueConnection);
+}
+
+/// To the dialog that waits then: one may have been opened by another.
+void HelpGuide::give_back() {
+    if (!window_) return;
+    QWidget* waits = QApplication::activeModalWidget();
+    belong_to(waits == nullptr ? main_ : *waits);
 }
 
 /// In dialogs, where the menu's key does not count.

@@ -38,6 +38,7 @@ class HelpGuide final : public QObject {
 
   private:
     void belong_to(QWidget& window);
+    void give_back();
 
     QWidget& main_;
     UserFiles& files_;
