@@ -1,6 +1,4 @@
-// Use case 8.2.2.11 from the window: the study of a parameter, or two.
-
-#include <qcustomplot.h>
+// Use case 8.2.2.11 from the window: the study of a parameter.
 
 #include <qcustomplot.h>
 
@@ -8,25 +6,19 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QContextMenuEvent>
-#include <QDirIterator>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QProcess>
 #include <QPushButton>
 #include <QSpinBox>
-#include <algorithm>
-#include <map>
 
 #include "dialogs/configuration_dialog.hpp"
 #include "dialogs/export_dialog.hpp"
-#include "dialogs/study_dialog.hpp"
-#include "gui_fixture.hpp"
-#include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/study/study_values.hpp"
 #include "look/written_number.hpp"
+#include "study_fixture.hpp"
 #include "tests.hpp"
 #include "views/study_plots.hpp"
 
@@ -35,120 +27,6 @@ namespace {
 
 /// So many runs that none of these tests, however slow its machine, sees the last of them.
 constexpr int kEndless = 10000;
-
-/// A window with its study open: two values of dmax, two runs of each.
-struct StudyFixture : Fixture {
-    StudyDialog& study;
-
-    explicit StudyFixture(int particles = 5) : Fixture(true, particles), study(open()) {
-        set("values", "0.02, 0.05");
-        study.form().set_runs(2);
-        set("reference", source_file("data/maps/bigloop.map"));
-        set("folder", path("study"));
-    }
-
-    StudyDialog& open() {
-        trigger("action_study");
-        if (window->study() == nullptr) qFatal("no study");
-        window->study()->form().set_assignments({"dmax="});
-        return *window->study();
-    }
-    void set(const char* field, const QString& text) const {
-        study.findChild<QLineEdit*>(field)->setText(text);
-    }
-    void press(const char* button) const { study.findChild<QPushButton*>(button)->click(); }
-    bool enabled(const char* button) const {
-        return study.findChild<QPushButton*>(button)->isEnabled();
-    }
-    QString error_at(const QString& field) const {
-        auto* label = study.findChild<QLabel*>("error_" + field);
-        return label->isHidden() ? QString() : label->text();
-    }
-    QString verdict() const { return study.findChild<QLabel*>("verdict")->text(); }
-    void run_study() const {
-        press("start");
-        QTRY_VERIFY(!study.running());
-    }
-
-    /// Runs hitos-cli study with the same inputs; gives its folder.
-    QString command_line_study(const QStringList& extra = {}) {
-        prompts.saves = {path("same.cfg")};
-        trigger("action_save");
-        QProcess cli;
-        cli.start(QString(HITOS_BIN_DIR) + "/hitos-cli",
-                  QStringList{"study", QString::fromStdString(session.configuration().source.file),
-                              "--config", path("same.cfg"), "--reference",
-                              source_file("data/maps/bigloop.map"), "--vary", "dmax=0.02,0.05",
-                              "--runs", "2", "--out", path("cli")} +
-                      extra);
-        if (!cli.waitForFinished(kPatienceMs) || cli.exitCode() != 0)
-            qFatal("hitos-cli has failed");
-        return path("cli");
-    }
-};
-
-/// Every file but those that tell the time that the runs took.
-QStringList results_in(const QString& folder) {
-    QStringList names;
-    QDirIterator files(folder, QDir::Files, QDirIterator::Subdirectories);
-    while (files.hasNext()) {
-        const QString name = QDir(folder).relativeFilePath(files.next());
-        if (name != "timing.csv" && !name.startsWith("runs/")) names << name;
-    }
-    names.sort();
-    return names;
-}
-
-void compare_folders(const QString& mine, const QString& other, int runs = 4) {
-    const QStringList names = results_in(mine);
-    QCOMPARE(names, results_in(other));
-    QVERIFY2(names.contains("quality.csv") && names.contains("summary.csv") &&
-                 names.contains("error.dat") && names.filter("maps/").size() == runs,
-             qPrintable(names.join(' ')));
-    for (const QString& name : names) {
-        QVERIFY2(Fixture::read(mine + '/' + name) == Fixture::read(other + '/' + name),
-                 qPrintable(name));
-    }
-}
-
-/// The mean error of every pair of values, as "dmax=0.02 p=5": of the runs in quality.csv.
-std::map<QString, double> mean_errors(const QString& folder) {
-    const QStringList lines =
-        QString(Fixture::read(folder + "/quality.csv")).split('\n', Qt::SkipEmptyParts);
-    const QStringList columns = lines.front().split(',');
-    std::map<QString, std::pair<double, int>> sums;
-    for (const QString& line : lines.mid(1)) {
-        const QStringList row = line.split(',');
-        if (row.size() != columns.size()) continue;
-        const auto at = [&](const char* column) { return row[columns.indexOf(column)]; };
-        auto& [sum, runs] = sums["dmax=" + at("split_merge.dmax") + " p=" + at("filter.particles")];
-        sum += at("error_m").toDouble();
-        ++runs;
-    }
-    std::map<QString, double> means;
-    for (const auto& [values, sum] : sums) means[values] = sum.first / sum.second;
-    return means;
-}
-
-/// Two values of dmax and three numbers of particles, two runs of each pair.
-struct TwoParameters : StudyFixture {
-    TwoParameters() { study.form().set_assignments({"dmax=0.02,0.05", "p=3,4,6"}); }
-
-    QCustomPlot& map() const {
-        for (auto* plot : study.plots().findChildren<QCustomPlot*>())
-            if (plot->isVisible()) return *plot;
-        qFatal("no map");
-    }
-    void click(double across, double up) const {
-        const QRect cells = map().axisRect(0)->rect();
-        QTest::mouseClick(&map(), Qt::LeftButton, Qt::NoModifier,
-                          QPoint(cells.left() + static_cast<int>(across * cells.width()),
-                                 cells.bottom() - static_cast<int>(up * cells.height())));
-    }
-    QString value_of(const char* key) const {
-        return QString::fromStdString(find_parameter(key).text(session.configuration()));
-    }
-};
 
 }  // namespace
 
@@ -173,148 +51,6 @@ void StudyTest::noise_seed_and_threads_are_those_of_the_command_line() {
     f.run_study();
     compare_folders(f.path("study"), f.command_line_study({"--odometry-noise", "0.1", "--seed", "7",
                                                            "--threads", "2"}));
-}
-
-void StudyTest::two_parameters_are_a_map_of_colours() {
-    TwoParameters f;
-    QCOMPARE(f.study.findChild<QLabel*>("all_runs")->text(), QString("Runs in all: 12"));
-    f.run_study();
-    QVERIFY2(f.verdict().contains("12 of 12"), qPrintable(f.verdict()));
-    compare_folders(f.path("study"), f.command_line_study({"--vary", "p=3,4,6"}), 12);
-    const std::map<QString, double> means = mean_errors(f.path("study"));
-    QCOMPARE(means.size(), 6U);
-    QCOMPARE(f.study.plots().means(), 6);
-    std::size_t cell = 0;
-    for (const auto& [values, mean] : means) {  // in the order of the plan
-        const QStringList told = f.study.plots().words_of_cell(cell++).split('\n');
-        QCOMPARE(told[0], values);
-        QCOMPARE(told[1], QString("Runs: 2"));
-        const QString words = QString("Map error: %1 ±").arg(mean, 0, 'f', 3);
-        QVERIFY2(told[2].startsWith(words), qPrintable(told[2] + ", not " + words));
-    }
-    const auto ticks = f.map().axisRect(0)->axis(QCPAxis::atBottom)->tickVectorLabels();
-    QCOMPARE(ticks, (QVector<QString>{"0.02", "0.05"}));
-    // The best and the worst have the ends of the scale.
-    f.prompts.saves = {f.path("map.png")};
-    in_dialog<ExportDialog>([](ExportDialog& dialog) { dialog.accept(); });
-    f.press("save");
-    const QImage picture(f.path("map.png"));
-    const auto area_of = [&picture](double share) {
-        int count = 0;
-        for (int y = 0; y < picture.height(); ++y)
-            for (int x = 0; x < picture.width(); ++x)
-                count += picture.pixelColor(x, y) == heat_colour(share) ? 1 : 0;
-        return count;
-    };
-    const int cell_inside = picture.width() * picture.height() / 18;
-    QVERIFY2(area_of(0.0) > cell_inside, qPrintable(QString::number(area_of(0.0))));
-    QVERIFY2(area_of(1.0) > cell_inside, qPrintable(QString::number(area_of(1.0))));
-}
-
-void StudyTest::the_scale_of_the_map_darkens() {
-    int before = 256;
-    for (int percent = 0; percent <= 100; percent += 5) {
-        const int grey = qGray(heat_colour(percent / 100.0).rgb());
-        QVERIFY2(grey < before, qPrintable(QString::number(percent)));
-        before = grey;
-    }
-    QCOMPARE(heat_colour(-1.0), heat_colour(0.0));
-    QCOMPARE(heat_colour(2.0), heat_colour(1.0));
-}
-
-void StudyTest::values_are_chosen_and_used() {
-    TwoParameters f;
-    QVERIFY(!f.enabled("use"));
-    f.run_study();
-    const Configuracion before = f.session.configuration();
-    f.click(0.75, 0.5);
-    QVERIFY(f.enabled("use"));
-    QVERIFY(f.study.plots().accessibleDescription().startsWith("dmax=0.05 p=4\n"));
-    f.press("use");
-    QCOMPARE(f.value_of("split_merge.dmax"), QString("0.05"));
-    QCOMPARE(f.value_of("filter.particles"), QString("4"));
-    QCOMPARE(f.session.configuration().run.seed, before.run.seed);
-    QCOMPARE(f.session.configuration().source.file, before.source.file);
-    QVERIFY2(f.notice().contains("dmax=0.05 p=4"), qPrintable(f.notice()));
-    f.trigger("action_undo");
-    QCOMPARE(ArchivoConfiguracion::to_text(f.session.configuration()),
-             ArchivoConfiguracion::to_text(before));
-    // The arrow keys begin at the best and stay within the map.
-    f.study.plots().choose(std::nullopt);
-    QVERIFY(!f.enabled("use"));
-    const std::map<QString, double> means = mean_errors(f.path("study"));
-    const auto best =
-        std::ranges::min_element(means, {}, [](const auto& one) { return one.second; });
-    const auto key = [&f](Qt::Key pressed) { QTest::keyClick(&f.study.plots(), pressed); };
-    key(Qt::Key_Up);
-    QVERIFY(f.study.plots().accessibleDescription().startsWith(best->first + '\n'));
-    for (int i = 0; i < 3; ++i) key(Qt::Key_Right);
-    for (int i = 0; i < 3; ++i) key(Qt::Key_Down);
-    QCOMPARE(f.study.plots().chosen(), std::optional<std::size_t>(3));  // dmax=0.05 p=3
-    key(Qt::Key_Up);
-    key(Qt::Key_Left);
-    QCOMPARE(f.study.plots().chosen(), std::optional<std::size_t>(1));
-    key(Qt::Key_Return);
-    QCOMPARE(f.value_of("filter.particles"), QString("4"));
-    f.study.form().set_runs(1);
-    f.run_study();  // another one has nothing chosen
-    QVERIFY(!f.enabled("use"));
-}
-
-void StudyTest::a_value_of_one_parameter_is_used() {
-    TwoParameters f;
-    f.study.form().set_assignments({"dmax=0.05,0.02,0.1"});
-    f.run_study();
-    QCOMPARE(f.study.plots().means(), 3);
-    const auto key = [&f](Qt::Key pressed) { QTest::keyClick(&f.study.plots(), pressed); };
-    for (int i = 0; i < 3; ++i) key(Qt::Key_Left);  // along the axis, not in the order of the list
-    QCOMPARE(f.study.plots().chosen(), std::optional<std::size_t>(1));
-    key(Qt::Key_Right);
-    QCOMPARE(f.study.plots().chosen(), std::optional<std::size_t>(0));
-    f.press("use");
-    QCOMPARE(f.value_of("split_merge.dmax"), QString("0.05"));
-    f.click(0.99, 0.5);  // the greatest is near the right edge
-    QCOMPARE(f.study.plots().chosen(), std::optional<std::size_t>(2));
-    f.click(0.75, 0.5);  // there is none
-    QVERIFY(!f.enabled("use"));
-}
-
-void StudyTest::pairs_that_fail_are_told() {
-    TwoParameters f;
-    const QString good = QString::fromStdString(f.session.configuration().source.file);
-    const QString bad = f.write("letter.txt", "Dear reader,\nthis is no log.\n");
-    f.study.form().set_assignments({("source.file=" + good + ',' + bad).toStdString(), "p=3,4"});
-    f.run_study();
-    QVERIFY2(f.verdict().contains("4 of 8"), qPrintable(f.verdict()));
-    QCOMPARE(f.study.plots().means(), 2);
-    QVERIFY(!f.study.plots().words_of_cell(0).contains("Failed"));
-    QVERIFY(f.study.plots().words_of_cell(3).contains("Runs: 0\nFailed: 2"));
-}
-
-void StudyTest::the_second_parameter_is_checked_too() {
-    TwoParameters f;
-    const auto refused = [&f](const char* first, const char* second) {
-        f.study.form().set_assignments({first, second});
-        f.run_study();
-    };
-    refused("dmax=0.02", "p=5,0");
-    QVERIFY(f.error_at("values").isEmpty());
-    QVERIFY2(f.error_at("values_2").contains("filter.particles"),
-             qPrintable(f.error_at("values_2")));
-    refused("p=0", "dmax=0.02");
-    QVERIFY(!f.error_at("values").isEmpty() && f.error_at("values_2").isEmpty());
-    refused("dmax=0.02", "split_merge.dmax=0.03");
-    QVERIFY2(f.error_at("values_2").contains("both"), qPrintable(f.error_at("values_2")));
-    refused("dmax=0.02", "dmux=1");
-    QVERIFY(!f.error_at("parameter_2").isEmpty());
-    refused("dmax=0.02", "p=");
-    QVERIFY(!f.error_at("values_2").isEmpty());
-    QVERIFY(!QFile::exists(f.path("study")));
-    // None again: its values are not asked for.
-    f.study.findChild<QComboBox*>("parameter_2")->setCurrentIndex(0);
-    QVERIFY(f.error_at("values_2").isEmpty());
-    QVERIFY(f.study.findChild<QLineEdit*>("values_2")->isHidden());
-    QCOMPARE(f.study.findChild<QLabel*>("all_runs")->text(), QString("Runs in all: 2"));
 }
 
 void StudyTest::without_reference_grids_are_measured_and_shown() {
