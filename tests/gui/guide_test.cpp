@@ -313,8 +313,7 @@ void GuideTest::f1_explains_what_has_the_keyboard() {
     QCOMPARE(explained(f.window->findChild<QWidget*>("runs_table")), QString("Comparing runs"));
     f.trigger("action_measurements_dock");
     QCOMPARE(explained(f.window->findChild<QWidget*>("measurement_table")), QString("Measuring"));
-    QCOMPARE(explained(f.window->open_study().findChild<QWidget*>("values")),
-             QString("Studies"));
+    QCOMPARE(explained(f.window->open_study().findChild<QWidget*>("values")), QString("Studies"));
     WorldWindow& world = f.window->open_world_window();
     QCOMPARE(explained(world.findChild<QWidget*>("world_view")), QString("Drawing a world"));
     world.drive_through(Fixture::source_file("data/worlds/bigloop.toml"));

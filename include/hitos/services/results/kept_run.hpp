@@ -31,7 +31,8 @@ struct KeptRun {
 /// file of it is missing and FormatError where one is not what was written.
 KeptRun read_results(const std::filesystem::path& folder);
 
-/// Whether both are of one log or world, however its path is written and whether or not it is there.
+/// Whether both are of one log or world, however its path is written and whether or not it is
+/// there.
 bool same_log(const Configuracion& a, const Configuracion& b);
 
 /// The parameters in which two configurations differ, but for the log and what changes no result,
