@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "hitos/base/text_input.hpp"
-#include "hitos/base/text_table.hpp"
 
 namespace hitos {
 
@@ -42,12 +41,16 @@ std::pair<double, double> StudyAbscissa::range(double room) const {
     return {least - more, greatest + more};
 }
 
+std::string figure_label(const std::string& name, const std::string& unit) {
+    return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
+}
+
 std::string study_axis_label(const StudyPlan::Axis& axis) {
     std::string units;
     for (const std::string& unit : axis.units) {
         if (!unit.empty()) units += (units.empty() ? "" : ", ") + unit;
     }
-    return with_unit(axis.name, units);
+    return figure_label(axis.name, units);
 }
 
 }  // namespace hitos

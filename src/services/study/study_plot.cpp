@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 
-#include "hitos/base/text_table.hpp"
 #include "hitos/services/drawing/gnuplot.hpp"
 #include "hitos/services/study/study_abscissa.hpp"
 
@@ -105,7 +104,8 @@ std::string script_text(const StudyLayout& layout, const StudyPlan& plan, const 
     std::string text = gnuplot_head(stem + ".gp");
     text +=
         fmt::format("set xlabel {} noenhanced\n", gnuplot_quoted(study_axis_label(plan.axes[0])));
-    text += fmt::format("set ylabel '{}'\n", with_unit(measure.plot, printed_unit(measure.unit)));
+    text +=
+        fmt::format("set ylabel '{}'\n", figure_label(measure.plot, printed_unit(measure.unit)));
     text += "set grid\nset key outside top center horizontal noenhanced\n";
     text += "set yrange [0:*]\n";
     text += range(x);

@@ -22,7 +22,10 @@ struct StudyAbscissa {
 
 StudyAbscissa study_abscissa(const StudyPlan::Axis& axis);
 
-/// "split_merge.dmax (m)"
+/// "error [m]", as axes of figures have it.
+std::string figure_label(const std::string& name, const std::string& unit);
+
+/// "split_merge.dmax [m]"
 std::string study_axis_label(const StudyPlan::Axis& axis);
 
 }  // namespace hitos

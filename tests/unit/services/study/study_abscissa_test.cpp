@@ -44,13 +44,13 @@ TEST(StudyAbscissa, ValuesOfSeveralKeysAreWords) {
     EXPECT_FALSE(x.numbers);
     EXPECT_THAT(x.words, ElementsAre("1/2", "3/4"));
     EXPECT_THAT(x.positions, ElementsAre(1.0, 2.0));
-    EXPECT_EQ(study_axis_label(axis), "sigma (m, rad)");
+    EXPECT_EQ(study_axis_label(axis), "sigma [m, rad]");
 }
 
 TEST(StudyAbscissa, LabelsNameTheUnitsThereAre) {
-    EXPECT_EQ(study_axis_label(axis_of({"1"})), "dmax (m)");
+    EXPECT_EQ(study_axis_label(axis_of({"1"})), "dmax [m]");
     StudyPlan::Axis axis{"p", {"filter.particles", "x"}, {"", "m"}, {}};
-    EXPECT_EQ(study_axis_label(axis), "p (m)");
+    EXPECT_EQ(study_axis_label(axis), "p [m]");
     axis.units = {"", ""};
     EXPECT_EQ(study_axis_label(axis), "p");
 }
