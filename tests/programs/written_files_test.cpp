@@ -62,7 +62,7 @@ TEST_F(WrittenFiles, AFigureIsOneToPoppler) {
     EXPECT_THAT(facts.output, HasSubstr("Page size:       240.9"));  // 85 mm
     const Outcome words = shell("pdftotext -layout " + path("out/map.pdf") + " -");
     EXPECT_EQ(words.status, 0);
-    for (const char* word : {"x [m]", "y [m]", "line landmarks", "uncertainty, 2 sigma"}) {
+    for (const char* word : {"x [m]", "y [m]", "line landmarks", "uncertainty, 2 \xcf\x83"}) {
         EXPECT_THAT(words.output, HasSubstr(word));
     }
     EXPECT_THAT(facts.output + words.output, ::testing::Not(HasSubstr("Error")));

@@ -33,9 +33,9 @@ struct RecordedTopic {
     std::string type;  ///< by ROS 1's names: "sensor_msgs/LaserScan"
     std::uint64_t messages = 0;
     TopicUse use = TopicUse::none;
-    std::string frame;  ///< of its first scan or odometry; empty where it has none
+    std::string frame = {};  ///< of its first scan or odometry; empty where it has none
     /// Of transforms: each frame, and the one that it is placed in.
-    std::vector<std::pair<std::string, std::string>> frames;
+    std::vector<std::pair<std::string, std::string>> frames = {};
 };
 
 /// One format: of text, or of recordings that know how to open themselves. Lines of text come
