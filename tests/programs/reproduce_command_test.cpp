@@ -39,10 +39,15 @@ TEST_F(ReproduceCommand, WritesTableDocumentAndPlotsOfOneFigureAndGoesOn) {
         0);
     EXPECT_EQ(files("one"), files("two"));
 
+    // What one that was killed left goes.
+    const fs::path left = path("two/runs/10.27-recinto-mlon/s1-runs/.hitos-1-0.tmp");
+    std::ofstream(left) << "half";
+    ASSERT_TRUE(fs::exists(left));
     const Outcome again = reproduce(arguments);
     ASSERT_EQ(again.status, 0) << again.output;
     EXPECT_NE(again.output.find("0 runs done, 10 found done"), std::string::npos) << again.output;
     EXPECT_EQ(content(path("two/reproduction.csv")), csv);
+    EXPECT_FALSE(fs::exists(left));
 }
 
 TEST_F(ReproduceCommand, TriesEveryReadingAndSetsThemSideBySide) {

@@ -319,7 +319,7 @@ void StudyFolder::begin() {
     });
     std::error_code ignored;
     fs::last_write_time(plan_file(work_), fs::file_time_type::clock::now(), ignored);
-    if (lock_ && lock_->alone()) clear_leftovers();
+    if (lock_ == nullptr || lock_->alone()) clear_leftovers();
 }
 
 /// Of those that were killed: only where nobody else is at work.
