@@ -1,5 +1,6 @@
 // hitos-cli reproduce as a user calls it.
 #include <algorithm>
+#include <fstream>
 
 #include "program.hpp"
 
