@@ -82,7 +82,7 @@ void HelpGuide::open(const QString& heading) {
     // A dialog that waits for its answer blocks every window but those that belong to it.
     QWidget* above = QApplication::activeModalWidget();
     belong_to(above == nullptr ? main_ : *above);
-    window_->open(guide, heading);
+    window_->go_to(guide, heading);
     window_->show();
     window_->raise();
     window_->activateWindow();

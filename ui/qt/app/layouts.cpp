@@ -35,7 +35,7 @@ Layouts::Layouts(QMainWindow& window, QMenu& menu, const Switches& switches, QSe
 
 QStringList Layouts::names() const {
     settings_.beginGroup(kNamed);
-    const QStringList names = settings_.childGroups();
+    QStringList names = settings_.childGroups();
     settings_.endGroup();
     return names;
 }

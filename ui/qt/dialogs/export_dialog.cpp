@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "look/screen_fit.hpp"
 
@@ -37,8 +38,8 @@ QDoubleSpinBox* box_of(QWidget* parent, const char* name, double least, double m
 
 }  // namespace
 
-ExportDialog::ExportDialog(const Exportable& what, QSettings& settings, QWidget* parent)
-    : QDialog(parent), what_(what), settings_(settings) {
+ExportDialog::ExportDialog(Exportable what, QSettings& settings, QWidget* parent)
+    : QDialog(parent), what_(std::move(what)), settings_(settings) {
     setObjectName("export");
     setWindowTitle(tr("Save as image: %1").arg(what_.words));
     auto* row = new QHBoxLayout;

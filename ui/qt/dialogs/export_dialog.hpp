@@ -24,7 +24,7 @@ class ExportDialog final : public QDialog {
     Q_OBJECT
 
   public:
-    ExportDialog(const Exportable& what, QSettings& settings, QWidget* parent);
+    ExportDialog(Exportable what, QSettings& settings, QWidget* parent);
 
     /// As it is wished now. Throws hitos::Error where it cannot be.
     Picture picture() const;

@@ -145,7 +145,7 @@ QString GuideWindow::translated(const QString& path) const {
     return QFileInfo::exists(other) ? other : path;
 }
 
-void GuideWindow::open(const QString& path, const QString& heading) {
+void GuideWindow::go_to(const QString& path, const QString& heading) {
     QUrl place = QUrl::fromLocalFile(translated(path));
     place.setFragment(heading);
     page_->setSource(place, QTextDocument::MarkdownResource);
@@ -157,7 +157,7 @@ void GuideWindow::follow(const QUrl& link) {
     if (!target.isLocalFile() || file.suffix() != "md") {
         QDesktopServices::openUrl(target);
     } else if (file.exists()) {
-        open(file.absoluteFilePath(), target.fragment());
+        go_to(file.absoluteFilePath(), target.fragment());
     } else {
         found_->setText(tr("%1 is not installed.").arg(file.fileName()));
     }

@@ -27,7 +27,7 @@ class GuideWindow final : public QDialog {
 
     /// A file of Markdown, which is there, at the heading of that name in the English page; empty:
     /// at its beginning.
-    void open(const QString& path, const QString& heading);
+    void go_to(const QString& path, const QString& heading);
     /// The file that is shown of it: a translation where there is one.
     QString translated(const QString& path) const;
 

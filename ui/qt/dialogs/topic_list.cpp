@@ -9,7 +9,10 @@
 namespace hitos::window {
 namespace {
 
-enum Column { kName, kUse, kType, kMessages, kFrame };
+// Columns; the others are only filled.
+constexpr int kName = 0;
+constexpr int kUse = 1;
+constexpr int kMessages = 3;
 constexpr const char* kAllLasers = "all";
 constexpr const char* kTransforms = "tf";
 

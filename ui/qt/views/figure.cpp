@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "canvas_paint.hpp"
 #include "hitos/services/drawing/scale_bar.hpp"
@@ -38,8 +39,8 @@ QString figure_number(double value) {
     return words.replace('-', QChar(0x2212));
 }
 
-FigureFrame::FigureFrame(const FigureWish& wish, const QFont& font, bool particles)
-    : wish_(wish), metrics_(font) {
+FigureFrame::FigureFrame(FigureWish wish, const QFont& font, bool particles)
+    : wish_(std::move(wish)), metrics_(font) {
     const double line = metrics_.height();
     if (!wish_.title.isEmpty()) around_.setTop(line + 2.0 * kSpace);
     if (wish_.axes) {

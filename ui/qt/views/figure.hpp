@@ -63,7 +63,7 @@ struct Exportable {
 /// What stands round the inside of a figure, in its points.
 class FigureFrame {
   public:
-    FigureFrame(const FigureWish& wish, const QFont& font, bool particles);
+    FigureFrame(FigureWish wish, const QFont& font, bool particles);
 
     /// Of title, axes and legend.
     const QMarginsF& around() const { return around_; }
