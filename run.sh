@@ -23,5 +23,5 @@ if [ $window = ON ]; then
     exec build/release/bin/hitos "$@"
 fi
 tour=(data/bigloop-noisy.log.gz --config config/thesis.cfg --reference data/maps/bigloop.map)
-build/release/bin/hitos-cli run "${tour[@]}" --out out/bigloop "$@"
+build/release/bin/hitos-cli run "${tour[@]}" --out out/bigloop --replace "$@"
 echo "Open out/bigloop/grid_best.png and out/bigloop/grid_odometry.png to compare them."

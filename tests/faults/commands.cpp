@@ -19,10 +19,10 @@ Command command(const std::string& name, const Words& common, const Words& befor
 std::vector<Command> commands(const Workplace& place) {
     const std::string tour = place.path("tour.log");
     const auto with_small = [](Words words, const std::string& threads = "1") {
-        const Words small{"--config",  HITOS_SOURCE_DIR "/config/init.cfg",  // what is quick
-                          "--set",     "filter.particles=2",
-                          "--set",     "grid.resolution=0.5",
-                          "--threads", threads};
+        const std::string quick = std::string(HITOS_SOURCE_DIR) + "/config/init.cfg";
+        const Words small{"--config",           quick,   "--set",
+                          "filter.particles=2", "--set", "grid.resolution=0.5",
+                          "--threads",          threads};
         words.insert(words.end(), small.begin(), small.end());
         return words;
     };

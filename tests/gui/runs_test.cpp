@@ -94,6 +94,14 @@ QImage seen(QWidget& widget) {
     return widget.grab().toImage();
 }
 
+void run_two_logs(RunsFixture& f) {
+    f.run_steps(40);
+    Configuracion other = f.session.configuration();
+    other.source.file = Fixture::source_file("data/bigloop-noisy.log.gz").toStdString();
+    f.session.set_configuration(other);
+    f.run_steps(40);
+}
+
 }  // namespace
 
 void RunsTest::runs_that_are_left_stay_in_the_list() {
@@ -167,11 +175,7 @@ void RunsTest::a_finished_run_stays_so_when_one_looks_back() {
 
 void RunsTest::runs_of_two_logs_are_told_apart() {
     RunsFixture f;
-    f.run_steps(40);
-    Configuracion other = f.session.configuration();
-    other.source.file = Fixture::source_file("data/bigloop-noisy.log.gz").toStdString();
-    f.session.set_configuration(other);
-    f.run_steps(40);
+    run_two_logs(f);
     f.trigger("action_compare");
     CompareWindow& comparison = f.comparison();
     comparison.choose(1, {1, false});
@@ -396,11 +400,7 @@ void RunsTest::paths_have_the_colours_of_their_errors() {
 
 void RunsTest::a_run_of_another_log_has_no_figures() {
     RunsFixture f;
-    f.run_steps(40);
-    Configuracion other = f.session.configuration();
-    other.source.file = Fixture::source_file("data/bigloop-noisy.log.gz").toStdString();
-    f.session.set_configuration(other);
-    f.run_steps(40);
+    run_two_logs(f);
     References references;
     references.trajectory = f.session.snapshot()->odometry_trajectory;
     f.session.set_references(references);

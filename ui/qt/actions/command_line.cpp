@@ -42,6 +42,13 @@ std::string complaint_of_size(const std::string& text) {
                        text, kLeast, kMost);
 }
 
+/// A configuration, a preset, or the user's init.cfg, unless --preset auto asks for none.
+bool parameters_named(const CommandLine& line, const UserFiles& files, Init init) {
+    const bool wanted = line.preset == kAutoPreset;
+    if (!line.config.empty() || (!line.preset.empty() && !wanted)) return true;
+    return !wanted && init == Init::read && files.has_init();
+}
+
 }  // namespace
 
 std::optional<int> parse(int argc, char** argv, CommandLine& out) {
@@ -139,10 +146,8 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
 }
 
 std::string deciding_source(const CommandLine& line, const UserFiles& files, Init init) {
-    const bool wanted = line.preset == kAutoPreset;
-    if (line.open.empty() || !line.config.empty() || (!line.preset.empty() && !wanted)) return {};
+    if (line.open.empty() || parameters_named(line, files, init)) return {};
     if (kind_of(QString::fromStdString(line.open)) != FileKind::source) return {};
-    if (!wanted && init == Init::read && files.has_init()) return {};
     return source_named(line.open);
 }
 
@@ -185,12 +190,10 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
 }
 
 bool nobody_chose(const CommandLine& line, const UserFiles& files) {
-    const bool wanted = line.preset == kAutoPreset;
-    if (!line.config.empty() || (!line.preset.empty() && !wanted) ||
-        !line.values.assignments.empty() || !line.values.world_assignments.empty()) {
+    if (parameters_named(line, files, Init::read) || !line.values.assignments.empty() ||
+        !line.values.world_assignments.empty()) {
         return false;
     }
-    if (!wanted && files.has_init()) return false;
     if (line.open.empty()) return true;
     const FileKind kind = kind_of(QString::fromStdString(line.open));
     return kind != FileKind::configuration && kind != FileKind::results;
