@@ -367,6 +367,8 @@ void ViewTest::a_class_sees_one_view_in_large_letters() {
     const int height = f.window->grid_view().height();
     f.trigger("action_presenting");
     QVERIFY(f.window->grid_view().font().pointSizeF() > 1.3 * letters);
+    const auto* scan = f.window->findChild<QLabel*>("status_scan");  // is not cut
+    QVERIFY(scan->sizeHint().width() <= scan->width());
     QVERIFY(!f.window->plots().isVisible());
     QVERIFY(f.window->grid_view().isVisible() != f.window->scan_view().isVisible());
     QTRY_VERIFY(f.window->grid_view().height() >= height);

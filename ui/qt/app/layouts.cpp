@@ -90,8 +90,12 @@ void Layouts::present(bool on) {
     }
     switches_.alone->setChecked(false);
     within(kBefore, means_.save);
-    // A font of the program's reaches no widget where it has a style sheet.
-    letters_ = QString("\n* { font-size: %1pt; }").arg(QApplication::font().pointSizeF() * kLarger);
+    // A font of the program's reaches no widget where it has a style sheet. The status line has
+    // room for its own letters only.
+    const double before = QApplication::font().pointSizeF();
+    letters_ = QString("\n* { font-size: %1pt; } QStatusBar QLabel { font-size: %2pt; }")
+                   .arg(before * kLarger)
+                   .arg(before);
     qApp->setStyleSheet(qApp->styleSheet() + letters_);
     for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) dock->hide();
     switches_.summary->setChecked(false);
