@@ -37,6 +37,26 @@ void draw_folded_map(QPainter& p) {
     p.drawLine(QPointF(15, 6), QPointF(15, 20));
 }
 
+/// What a triangle or circle is about.
+void draw_mark(QPainter& p, const QColor& colour, double top, double bottom) {
+    p.drawLine(QPointF(12, top), QPointF(12, bottom - 4));
+    p.setBrush(colour);
+    p.setPen(Qt::NoPen);
+    p.drawEllipse(QPointF(12, bottom), 1.3, 1.3);
+}
+
+void draw_folder(QPainter& p) {
+    p.drawPolyline(QPolygonF{{3, 19}, {3, 5}, {9, 5}, {11, 8}, {20, 8}, {20, 11}});
+    p.drawPolygon(QPolygonF{{3, 19}, {6, 11}, {22, 11}, {19, 19}});
+}
+
+void draw_arrow(QPainter& p, double quarters) {
+    p.translate(12, 12);
+    p.rotate(90.0 * quarters);
+    p.drawLine(QPointF(-8, 0), QPointF(8, 0));
+    p.drawPolyline(QPolygonF{{2, -6}, {8, 0}, {2, 6}});
+}
+
 void draw_glyph(QPainter& p, Glyph glyph, const QColor& colour) {
     const QPen pen(colour, 1.9, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
     p.setPen(pen);
@@ -86,8 +106,7 @@ void draw_glyph(QPainter& p, Glyph glyph, const QColor& colour) {
             p.drawPolyline(QPolygonF{{15.5, 2.5}, {15.8, 6.2}, {12, 7}});
             break;
         case Glyph::open:
-            p.drawPolyline(QPolygonF{{3, 19}, {3, 5}, {9, 5}, {11, 8}, {20, 8}, {20, 11}});
-            p.drawPolygon(QPolygonF{{3, 19}, {6, 11}, {22, 11}, {19, 19}});
+            draw_folder(p);
             break;
         case Glyph::settings:
             for (const double y : {6.0, 12.0, 18.0}) p.drawLine(QPointF(3, y), QPointF(21, y));
@@ -141,6 +160,61 @@ void draw_glyph(QPainter& p, Glyph glyph, const QColor& colour) {
         case Glyph::zoom_out:
             p.drawLine(QPointF(5, 12), QPointF(19, 12));
             break;
+        case Glyph::information:
+            p.drawEllipse(QPointF(12, 12), 9.5, 9.5);
+            p.translate(0, 24);
+            p.scale(1, -1);
+            draw_mark(p, colour, 6.5, 16.8);
+            break;
+        case Glyph::question: {
+            p.drawEllipse(QPointF(12, 12), 9.5, 9.5);
+            QPainterPath path(QPointF(9, 9.5));
+            path.cubicTo(9, 5.5, 15, 5.5, 15, 9.5);
+            path.cubicTo(15, 11.5, 12, 11.5, 12, 13.8);
+            p.drawPath(path);
+            draw_mark(p, colour, 13.4, 17.6);
+            break;
+        }
+        case Glyph::warning:
+            p.drawPolygon(QPolygonF{{12, 2.5}, {22.5, 21}, {1.5, 21}});
+            draw_mark(p, colour, 8.5, 17.8);
+            break;
+        case Glyph::file:
+            p.drawPolygon(QPolygonF{{5, 2.5}, {14, 2.5}, {19, 7.5}, {19, 21.5}, {5, 21.5}});
+            p.drawPolyline(QPolygonF{{14, 2.5}, {14, 7.5}, {19, 7.5}});
+            break;
+        case Glyph::new_folder:
+            p.drawPolygon(QPolygonF{{2.5, 19}, {2.5, 5}, {9, 5}, {11, 8}, {21.5, 8}, {21.5, 19}});
+            p.drawLine(QPointF(12, 10.5), QPointF(12, 16.5));
+            p.drawLine(QPointF(9, 13.5), QPointF(15, 13.5));
+            break;
+        case Glyph::up:
+            draw_arrow(p, 3);
+            break;
+        case Glyph::back:
+            draw_arrow(p, 2);
+            break;
+        case Glyph::forward:
+            draw_arrow(p, 0);
+            break;
+        case Glyph::tiles:
+            for (const double x : {4.0, 14.0}) {
+                for (const double y : {4.0, 14.0}) p.drawRect(QRectF(x, y, 6, 6));
+            }
+            break;
+        case Glyph::computer:
+            p.drawRoundedRect(QRectF(2.5, 4, 19, 12.5), 1.5, 1.5);
+            p.drawLine(QPointF(12, 16.5), QPointF(12, 20));
+            p.drawLine(QPointF(7.5, 20), QPointF(16.5, 20));
+            break;
+        case Glyph::clear:
+            p.drawLine(QPointF(6, 6), QPointF(18, 18));
+            p.drawLine(QPointF(18, 6), QPointF(6, 18));
+            break;
+        case Glyph::lines:
+            for (const double y : {5.0, 10.0, 15.0, 20.0})
+                p.drawLine(QPointF(3, y - 0.5), QPointF(21, y - 0.5));
+            break;
     }
 }
 
@@ -153,6 +227,8 @@ class GlyphEngine final : public QIconEngine {
         const Colours& c = colours();
         QColor colour = state == QIcon::On ? c.accent : c.text;
         if (glyph_ == Glyph::run && mode != QIcon::Disabled) colour = c.on_accent;
+        if (glyph_ == Glyph::information || glyph_ == Glyph::question) colour = c.accent;
+        if (glyph_ == Glyph::warning) colour = c.odometry;
         if (mode == QIcon::Disabled) colour.setAlpha(90);
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing);

@@ -25,7 +25,19 @@ enum class Glyph {
     zoom_out,
     full_speed,
     distance,
-    angle
+    angle,
+    information,
+    question,
+    warning,
+    file,
+    new_folder,
+    up,
+    back,
+    forward,
+    tiles,
+    lines,
+    computer,
+    clear
 };
 
 QIcon icon(Glyph glyph);

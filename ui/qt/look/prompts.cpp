@@ -71,14 +71,19 @@ QString QtPrompts::open_file(QWidget* parent, const FileQuestion& question) {
                        question.filters);
     dialog.setFileMode(QFileDialog::ExistingFile);
     if (!folder) dialog.selectFile(start.fileName());
-    // What comes with Hitos is a click away, wherever the last file was.
-    QList<QUrl> places = dialog.sidebarUrls();
+    // What comes with Hitos is a click away, wherever the last file was. The dialog would write its
+    // places into settings that all programs with Qt share.
+    const QList<QUrl> of_the_user = dialog.sidebarUrls();
+    QList<QUrl> places = of_the_user;
     for (const char* kind : {"config", "log", "map"}) {
         const QString shipped = shipped_folder(kind);
-        if (!shipped.isEmpty()) places << QUrl::fromLocalFile(shipped);
+        const QUrl place = QUrl::fromLocalFile(shipped);
+        if (!shipped.isEmpty() && !places.contains(place)) places << place;
     }
     dialog.setSidebarUrls(places);
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+    const bool accepted = dialog.exec() == QDialog::Accepted;
+    dialog.setSidebarUrls(of_the_user);
+    return accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
 QString QtPrompts::save_file(QWidget* parent, const FileQuestion& question) {

@@ -3,13 +3,14 @@
 #include <QApplication>
 #include <QPalette>
 #include <QStyle>
-#include <QStyleFactory>
 #include <QStyleHints>
 #include <QWidget>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+
+#include "own_style.hpp"
 
 namespace hitos::window {
 namespace {
@@ -222,7 +223,7 @@ void apply_theme(QApplication& application, Theme theme) {
     static const bool system_dark = system_is_dark(QApplication::palette());
     const bool dark = theme == Theme::dark || (theme == Theme::system && system_dark);
     current() = dark ? make_dark() : make_light();
-    QApplication::setStyle(QStyleFactory::create("Fusion"));
+    QApplication::setStyle(new OwnStyle);
     QApplication::setPalette(palette_of(current()));
     application.setStyleSheet(style_sheet(current()));
 }
