@@ -396,15 +396,23 @@ void ConfigurationActions::note_change() {
 }
 
 void ConfigurationActions::undo() {
-    go_to(before_, after_);
+    go_to(before_, after_, tr("Undone: %1"));
 }
 
 void ConfigurationActions::redo() {
-    go_to(after_, before_);
+    go_to(after_, before_, tr("Redone: %1"));
+}
+
+QString ConfigurationActions::undo_words() const {
+    return can_undo() ? change_words(before_.back(), now_) : QString();
+}
+
+QString ConfigurationActions::redo_words() const {
+    return can_redo() ? change_words(after_.back(), now_) : QString();
 }
 
 void ConfigurationActions::go_to(std::vector<Configuracion>& there,
-                                 std::vector<Configuracion>& back) {
+                                 std::vector<Configuracion>& back, const QString& words) {
     if (there.empty() || !guard_.may_discard()) return;
     const Configuracion from = now_;
     in_history_ = true;
@@ -414,6 +422,7 @@ void ConfigurationActions::go_to(std::vector<Configuracion>& there,
     there.pop_back();
     back.push_back(from);
     emit history_changed();
+    emit notice(words.arg(change_words(now_, from)));
 }
 
 void ConfigurationActions::configure() {

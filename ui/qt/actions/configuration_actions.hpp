@@ -56,6 +56,9 @@ class ConfigurationActions final : public QObject {
     void redo();
     bool can_undo() const { return !before_.empty(); }
     bool can_redo() const { return !after_.empty(); }
+    /// What they would set: "Particles 10"; empty where there is nothing.
+    QString undo_words() const;
+    QString redo_words() const;
     void set_default();
     void load_reference_map();
     void load_reference_trajectory();
@@ -72,7 +75,8 @@ class ConfigurationActions final : public QObject {
 
   private:
     void note_change();
-    void go_to(std::vector<Configuracion>& there, std::vector<Configuracion>& back);
+    void go_to(std::vector<Configuracion>& there, std::vector<Configuracion>& back,
+               const QString& words);
     void save_as(const QString& start, const QString& title);
     bool load_file(const QString& path, bool confirmed);
     bool use_log(const QString& path);

@@ -156,8 +156,13 @@ void MainWindow::connect_configuration() {
     connect(ui_->action_undo, &QAction::triggered, configuration_, &ConfigurationActions::undo);
     connect(ui_->action_redo, &QAction::triggered, configuration_, &ConfigurationActions::redo);
     const auto enable_history = [this] {
-        ui_->action_undo->setEnabled(configuration_->can_undo());
-        ui_->action_redo->setEnabled(configuration_->can_redo());
+        const auto offer = [](QAction& action, const QString& name, const QString& words) {
+            action.setEnabled(!words.isEmpty());
+            action.setText(words.isEmpty() ? name
+                                           : name + ": " + QString(words).replace('&', "&&"));
+        };
+        offer(*ui_->action_undo, tr("Undo"), configuration_->undo_words());
+        offer(*ui_->action_redo, tr("Redo"), configuration_->redo_words());
     };
     connect(configuration_, &ConfigurationActions::history_changed, this, enable_history);
     enable_history();

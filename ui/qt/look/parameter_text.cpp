@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QStringList>
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <string_view>
 
 #include "hitos/services/configuration/config_parameter.hpp"
+#include "hitos/services/results/kept_run.hpp"
 #include "words_of.hpp"
 
 namespace hitos::window {
@@ -26,6 +28,14 @@ QString shown_unit(std::string_view unit) {
         std::ranges::all_of(unit, [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; });
     if (word && unit.size() > std::string_view("rad").size()) return {};
     return to_qt(unit).replace("^2", "²");
+}
+
+QStringList differing(const Configuracion& configuration, const Configuracion& base) {
+    QStringList words;
+    for (const ConfigParameter* parameter : differences(configuration, base)) {
+        words << label_of(*parameter) + ' ' + value_with_unit(*parameter, configuration);
+    }
+    return words;
 }
 
 }  // namespace
@@ -103,6 +113,26 @@ QString value_with_unit(const ConfigParameter& parameter, const Configuracion& c
     const QString unit = shown_unit(parameter.unit_of(configuration));
     const QString value = value_of(parameter, configuration);
     return unit.isEmpty() || value.isEmpty() ? value : value + ' ' + unit;
+}
+
+QString difference_words(const Configuracion& configuration, const Configuracion& base) {
+    return differing(configuration, base).join(", ");
+}
+
+QString change_words(const Configuracion& configuration, const Configuracion& base) {
+    constexpr qsizetype kMost = 3;
+    QStringList words = differing(configuration, base);
+    if (configuration.source.file != base.source.file) {
+        words.prepend(QFileInfo(QString::fromStdString(configuration.source.file)).fileName());
+    }
+    if (words.empty()) {
+        return QCoreApplication::translate("Parameter", "nothing that this run makes use of");
+    }
+    const qsizetype more = words.size() - kMost;
+    if (more < 2) return words.join(", ");
+    return QCoreApplication::translate("Parameter", "%1 and %2 more")
+        .arg(words.mid(0, kMost).join(", "))
+        .arg(more);
 }
 
 QString allowed_of(const ParameterFacts& parameter) {

@@ -37,6 +37,11 @@ QString value_words(const ParameterFacts& parameter, const std::string& text);
 QString value_of(const ConfigParameter& parameter, const Configuracion& configuration);
 /// "0.02 m"
 QString value_with_unit(const ConfigParameter& parameter, const Configuracion& configuration);
+/// What the configuration has otherwise than `base`: "Particles 200, Seed 3"; empty where nothing.
+QString difference_words(const Configuracion& configuration, const Configuracion& base);
+/// The same of a change, with another log's name, and of many the first few: "aces.log.gz,
+/// Particles 200, D max 0.02 m and 11 more".
+QString change_words(const Configuracion& configuration, const Configuracion& base);
 /// "0 to 10 m", translated.
 QString allowed_of(const ParameterFacts& parameter);
 bool is_default(const ConfigParameter& parameter, const Configuracion& configuration);

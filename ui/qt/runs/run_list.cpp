@@ -56,14 +56,6 @@ QString source_words(const ListedRun& listed) {
     return listed.folder.isEmpty() ? log : log + ", " + QFileInfo(listed.folder).fileName();
 }
 
-QString difference_words(const Configuracion& configuration, const Configuracion& base) {
-    QStringList words;
-    for (const ConfigParameter* parameter : differences(configuration, base)) {
-        words << label_of(*parameter) + ' ' + value_with_unit(*parameter, configuration);
-    }
-    return words.join(", ");
-}
-
 RunList::RunList(Session& session, QObject* parent) : QObject(parent), session_(session) {
     connect(&session, &Session::leaving, this, &RunList::keep_present);
     connect(&session, &Session::references_changed, this, &RunList::measure_anew);

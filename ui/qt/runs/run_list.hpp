@@ -28,8 +28,6 @@ QColor colour_of(const ListedRun& listed);
 QString log_of(const KeptRun& run);
 /// The same with the folder of results that the run was read from: "aces.log.gz, out/b".
 QString source_words(const ListedRun& listed);
-/// What the configuration has otherwise than `base`: "Particles 200, Seed 3"; empty where nothing.
-QString difference_words(const Configuracion& configuration, const Configuracion& base);
 
 /// Keeps every run that is left with more than one scan: by another configuration, another log or
 /// a new start; whole where it has been at its end. Of runs that are the same scan for scan one
