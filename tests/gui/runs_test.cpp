@@ -301,7 +301,7 @@ void RunsTest::figures_are_hidden_at_first_and_need_a_reference() {
     QVERIFY(strip->isVisible());
     // Nothing to plot: words alone, of what is missing and what helps.
     QVERIFY(!strip->findChild<QCustomPlot*>()->isVisible());
-    for (const char* side : {"figures_left", "figures_right"}) {
+    for (const char* side : {"figures_0", "figures_1"}) {
         const QString said = strip->findChild<QLabel*>(side)->text();
         QVERIFY2(said.contains("bigloop.log.gz") && said.contains("Load reference trajectory"),
                  qPrintable(said));
@@ -335,7 +335,7 @@ void RunsTest::figures_are_those_of_the_services() {
     CompareWindow& comparison = compare_first_two(f);
     comparison.show_figures(true);
     auto* strip = comparison.findChild<ErrorStrip*>("compare_figures");
-    const QString said = strip->findChild<QLabel*>("figures_right")->text();
+    const QString said = strip->findChild<QLabel*>("figures_1")->text();
     for (const QString& figure :
          {metre_words(whole->rmse_m), metre_words(whole->mean_m), metre_words(whole->maximum_m),
           degree_words(whole->heading_rmse_rad), metre_words(relative->translation_m.rmse),
@@ -358,6 +358,37 @@ void RunsTest::figures_are_those_of_the_services() {
     expect(path_errors(path, reference), true);
     // The left one is the reference, wherever that lies.
     for (const QPointF& point : strip->curve(0)) QVERIFY(point.y() < 1e-6);
+}
+
+void RunsTest::the_errors_of_more_than_two_lie_over_each_other() {
+    RunsFixture f;
+    run_thrice(f);
+    f.session.set_references(moved_path_of_the_first(f));
+    const std::vector<ListedRun> runs = f.list().runs();
+    f.panel().table().choose_rows({0, 1, 2});
+    f.press("runs_compare");
+    CompareWindow& comparison = f.comparison();
+    comparison.show_figures(true);
+    auto* strip = comparison.findChild<ErrorStrip*>("compare_figures");
+    for (std::size_t place = 0; place < 3; ++place) {
+        const std::vector<QPointF> curve = strip->curve(place);
+        const auto wanted =
+            path_figures(runs[place].run->path, *f.session.references().trajectory, true);
+        QCOMPARE(curve.size(), wanted.errors.size());
+        QCOMPARE(curve.back().y(), wanted.errors.back().error_m);
+        const auto* words = strip->findChild<QLabel*>(QString("figures_%1").arg(place));
+        QVERIFY(words->text().startsWith(name_of(runs[place])));
+    }
+    // Laid over, the third one's path is there as well, until that run is removed.
+    comparison.set_mode(CompareWindow::Mode::overlaid);
+    const QImage all = seen(comparison.view(0));
+    f.list().remove(runs[2].number);
+    QVERIFY(strip->findChild<QLabel*>("figures_2") == nullptr);
+    QTRY_VERIFY(!comparison.building());
+    QVERIFY(seen(comparison.view(0)) != all);
+    // Another choice of two has no third.
+    comparison.compare({runs[0], runs[1]});
+    QVERIFY(strip->curve(0).size() == 40 && strip->curve(1).size() == 80);
 }
 
 void RunsTest::paths_have_the_colours_of_their_errors() {
@@ -412,11 +443,11 @@ void RunsTest::a_run_of_another_log_has_no_figures() {
     auto* strip = comparison.findChild<ErrorStrip*>("compare_figures");
     QCOMPARE(strip->curve(0).size(), std::size_t{40});
     QVERIFY(strip->curve(1).empty());
-    const QString said = strip->findChild<QLabel*>("figures_right")->text();
+    const QString said = strip->findChild<QLabel*>("figures_1")->text();
     QVERIFY2(said.contains("bigloop.log.gz"), qPrintable(said));
     // What is shown follows the run.
     f.run_steps(20);
-    QTRY_COMPARE(strip->findChild<QLabel*>("figures_left")->text().count("40"), 1);
+    QTRY_COMPARE(strip->findChild<QLabel*>("figures_0")->text().count("40"), 1);
     references.trajectory = f.session.snapshot()->odometry_trajectory;
     f.session.set_references(references);
     QCOMPARE(strip->curve(0).size(), std::size_t{60});
@@ -424,7 +455,7 @@ void RunsTest::a_run_of_another_log_has_no_figures() {
     for (StampedPose& stamped : *references.trajectory) stamped.time_s += 1e6;
     f.session.set_references(references);
     QVERIFY(strip->curve(0).empty());
-    QVERIFY(strip->findChild<QLabel*>("figures_left")->text().contains("bigloop-noisy.log.gz"));
+    QVERIFY(strip->findChild<QLabel*>("figures_0")->text().contains("bigloop-noisy.log.gz"));
 }
 
 void RunsTest::the_plot_of_the_errors_is_saved() {

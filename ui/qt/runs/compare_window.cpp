@@ -10,8 +10,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <limits>
+#include <ranges>
 #include <utility>
 
+#include "look/parameter_text.hpp"
 #include "look/screen_fit.hpp"
 #include "look/theme.hpp"
 #include "views/canvas_paint.hpp"
@@ -95,7 +97,7 @@ QWidget* CompareWindow::make_tools() {
     figures_ = new QToolButton(tools);
     figures_->setObjectName("compare_figures_shown");
     figures_->setText(tr("Figures"));
-    figures_->setToolTip(tr("How far both are from the reference trajectory"));
+    figures_->setToolTip(tr("How far all are from the reference trajectory"));
     figures_->setCheckable(true);
     connect(figures_, &QToolButton::toggled, this, [this](bool on) {
         strip_->setVisible(on);
@@ -167,6 +169,8 @@ void CompareWindow::fill_boxes() {
         }
         take(side);
     }
+    for (Compared& other : others_) other.run = run_of(other.choice);
+    std::erase_if(others_, [](const Compared& other) { return !other.run; });
     measure();
 }
 
@@ -179,10 +183,18 @@ void CompareWindow::compare(const std::vector<ListedRun>& runs) {
         left = {runs.front().number, false};
     } else if (!present && !all.empty()) {
         left = {all.back().number, false};
+    } else if (present) {  // what it was before, if there is any
+        for (const ListedRun& kept : all | std::views::drop(1)) {
+            if (same_log(kept.run->configuration, all.front().run->configuration))
+                left = {kept.number, false};
+        }
     }
     Choice right{left.number, true};
-    if (runs.size() == 2) {
-        right = {runs.back().number, false};
+    others_.clear();
+    if (runs.size() > 1) {
+        right = {runs[1].number, false};
+        for (const ListedRun& other : runs | std::views::drop(2))
+            others_.push_back({{other.number, false}, other.run, {}});
     } else if (present && left.number != 0) {
         right = {};
     }
@@ -202,12 +214,18 @@ void CompareWindow::choose(int side, const Choice& choice) {
     measure();
 }
 
-/// What is chosen becomes what is shown.
-void CompareWindow::take(Side& side) {
+/// Null where it is not in the list.
+std::shared_ptr<const KeptRun> CompareWindow::run_of(const Choice& choice) const {
     std::shared_ptr<const KeptRun> run;
     for (const ListedRun& listed : list_.runs()) {
-        if (listed.number == side.choice.number) run = listed.run;
+        if (listed.number == choice.number) run = listed.run;
     }
+    return run;
+}
+
+/// What is chosen becomes what is shown.
+void CompareWindow::take(Side& side) {
+    std::shared_ptr<const KeptRun> run = run_of(side.choice);
     const bool grid_stays = run && run == side.run;
     side.run = std::move(run);
     if (!grid_stays) refresh_grid(side);
@@ -243,45 +261,58 @@ void CompareWindow::show_figures(bool on) {
 }
 
 /// Why there are no figures, and what would help.
-QString CompareWindow::problem_of(const Side& side) const {
-    if (!side.run || side.path().empty()) return tr("no scans yet");
-    const QString log = log_of(*side.run);
-    if (list_.reference_of(*side.run) != nullptr)
+QString CompareWindow::problem_of(const Compared& of) const {
+    if (!of.run || of.path().empty()) return tr("no scans yet");
+    const QString log = log_of(*of.run);
+    if (list_.reference_of(*of.run) != nullptr)
         return tr("the reference knows no pose at the times of its scans (%1)").arg(log);
     return tr("no reference trajectory of %1 is loaded; “File → Load reference trajectory…” "
               "takes one of the log in the window")
         .arg(log);
 }
 
+/// Left, right, and the others.
+std::vector<const CompareWindow::Compared*> CompareWindow::compared() const {
+    std::vector<const Compared*> all{&sides_.front(), &sides_.back()};
+    for (const Compared& other : others_) all.push_back(&other);
+    return all;
+}
+
+PathFigures CompareWindow::figures_of(const Compared& of) const {
+    const Trajectory* reference =
+        figures_->isChecked() && of.run ? list_.reference_of(*of.run) : nullptr;
+    if (reference == nullptr) return {};
+    return path_figures(of.path(), *reference, strip_->aligned());
+}
+
 void CompareWindow::measure() {
     since_measured_.start();
-    std::array<ErrorStrip::Side, 2> shown;
-    for (std::size_t i = 0; i < sides_.size(); ++i) {
-        Side& side = sides_[i];
-        const Trajectory* reference =
-            figures_->isChecked() && side.run ? list_.reference_of(*side.run) : nullptr;
-        side.figures = reference != nullptr
-                           ? path_figures(side.path(), *reference, strip_->aligned())
-                           : PathFigures();
-        shown[i] = {title_of(side.choice), side.figures, problem_of(side)};
+    for (Side& side : sides_) side.figures = figures_of(side);
+    for (Compared& other : others_) {
+        if (other.choice.number == 0) other.run = run_of(other.choice);
+        other.figures = figures_of(other);
     }
-    strip_->show_sides(shown);
+    std::vector<ErrorStrip::Side> shown;
+    for (const Compared* of : compared())
+        shown.push_back({title_of(of->choice), of->figures, problem_of(*of)});
+    strip_->show_sides(std::move(shown));
     measuring_ms_ = since_measured_.elapsed();
     paint_sides();
 }
 
-/// What is drawn of a side over a grid; with figures, its path has their colours.
-RunTrace CompareWindow::trace_of(std::size_t side, bool landmarks) const {
-    const Side& of = sides_[side];
-    RunTrace trace{title_of(of.choice), side_colour(side, light_colours()), points_of(of.path()),
+/// What is drawn of one over a grid; with figures, its path has their colours.
+RunTrace CompareWindow::trace_of(std::size_t place, bool landmarks) const {
+    const std::vector<const Compared*> all = compared();
+    const Compared& of = *all[place];
+    RunTrace trace{title_of(of.choice), side_colour(place, light_colours()), points_of(of.path()),
                    landmarks ? MarkedMap{of.run->map, of.run->line_extents} : MarkedMap{}};
     if (of.figures.errors.empty()) return trace;
     trace.errors_m.assign(trace.path.size(), std::numeric_limits<double>::quiet_NaN());
     for (const PathError& error : of.figures.errors) {
         if (error.pose < trace.errors_m.size()) trace.errors_m[error.pose] = error.error_m;
     }
-    trace.greatest_m =
-        std::max(sides_.front().figures.greatest_m(), sides_.back().figures.greatest_m());
+    for (const Compared* other : all)
+        trace.greatest_m = std::max(trace.greatest_m, other->figures.greatest_m());
     return trace;
 }
 
@@ -329,6 +360,10 @@ void CompareWindow::paint_sides() {
         } else if (mode_ == Mode::blinking) {  // its path is that of the grid
             shown.push_back({title_of(side.choice), light_colours().path, {}, {}});
         }
+    }
+    if (mode_ == Mode::overlaid) {
+        for (std::size_t place = 0; place < others_.size(); ++place)
+            traces.front().push_back(trace_of(sides_.size() + place, false));
     }
     left.view->set_traces(std::move(traces.front()));
     right.view->set_traces(std::move(traces.back()));

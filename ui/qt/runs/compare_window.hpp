@@ -1,4 +1,4 @@
-// Two runs beside each other, one over the other, or in turn.
+// Two runs beside each other, one over the other, or in turn; the errors of more.
 #pragma once
 
 #include <QDialog>
@@ -36,13 +36,14 @@ class CompareWindow final : public QDialog {
         bool odometry = false;
         friend bool operator==(const Choice&, const Choice&) = default;
     };
-    /// Those of the two sides; a run alone is compared with that of the window, and that one with
-    /// its odometry.
+    /// Those of the two sides; of more the others' paths are in the figures and laid over. A run
+    /// alone is compared with that of the window. None at all: that one with the last before it on
+    /// the same log, else with its odometry.
     void compare(const std::vector<ListedRun>& runs);
     void choose(int side, const Choice& choice);
     void set_mode(Mode mode);
     Mode mode() const { return mode_; }
-    /// How far both are from the reference, below the views and as the colour of their paths.
+    /// How far all are from the reference, below the views and as the colour of their paths.
     void show_figures(bool on);
     /// Left and right; the left one is the only one in sight but in side_by_side.
     GridView& view(int side) const { return *sides_[static_cast<std::size_t>(side)].view; }
@@ -54,17 +55,20 @@ class CompareWindow final : public QDialog {
     void figures_shown(bool on);
 
   private:
-    struct Side {
-        QComboBox* box = nullptr;
-        GridView* view = nullptr;
-        std::unique_ptr<MapBuilder> builder;
-        std::shared_ptr<const KeptRun> run;  ///< shown; null before the first
+    struct Compared {
         Choice choice;
-        GridTiles grid;
-        bool made = false;  ///< by the builder
+        std::shared_ptr<const KeptRun> run;  ///< shown; null before the first
         PathFigures figures;
 
         const Trajectory& path() const { return choice.odometry ? run->odometry : run->path; }
+    };
+    struct Side : Compared {
+        QComboBox* box = nullptr;
+        GridView* view = nullptr;
+        std::unique_ptr<MapBuilder> builder;
+        GridTiles grid;
+        bool made = false;  ///< by the builder
+
         /// All that there is to see [m].
         QRectF content() const;
     };
@@ -75,15 +79,19 @@ class CompareWindow final : public QDialog {
     void take(Side& side);
     void refresh_grid(Side& side);
     void paint_sides();
+    std::vector<const Compared*> compared() const;
+    std::shared_ptr<const KeptRun> run_of(const Choice& choice) const;
     void measure();
-    QString problem_of(const Side& side) const;
-    RunTrace trace_of(std::size_t side, bool landmarks) const;
+    PathFigures figures_of(const Compared& of) const;
+    QString problem_of(const Compared& of) const;
+    RunTrace trace_of(std::size_t place, bool landmarks) const;
     QString verdict() const;
     void show_in(GridView& view, const Side& side) const;
     QString title_of(const Choice& choice) const;
 
     RunList& list_;
     std::array<Side, 2> sides_;
+    std::vector<Compared> others_;  ///< chosen with them
     std::array<QToolButton*, 3> modes_{};
     QToolButton* figures_ = nullptr;
     ErrorStrip* strip_ = nullptr;

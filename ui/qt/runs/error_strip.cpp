@@ -11,8 +11,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "look/words_of.hpp"
 #include "run_list.hpp"
@@ -59,8 +61,9 @@ PathFigures path_figures(const Trajectory& path, const Trajectory& reference, bo
 }
 
 QColor side_colour(std::size_t side, const Colours& colours) {
-    constexpr int kLightBlue = 5;  // neither the red of the one nor the blue of landmarks
-    return side == 0 ? colours.path : colour_of({kLightBlue, nullptr});
+    // Light blue first: neither the red of the path nor the blue of landmarks.
+    constexpr std::array kOthers{5, 2, 4, 3, 6, 0};
+    return side == 0 ? colours.path : colour_of({kOthers[(side - 1) % kOthers.size()], nullptr});
 }
 
 ErrorStrip::ErrorStrip(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
@@ -71,14 +74,31 @@ ErrorStrip::ErrorStrip(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
     column->addWidget(make_tools());
     make_plot();
     column->addWidget(plot_);
-    for (QLabel*& words : words_) {
-        words = new QLabel(this);
+    make_curves(2);
+}
+
+/// A curve and a line of words for each.
+void ErrorStrip::make_curves(std::size_t count) {
+    if (curves_.size() == count) return;
+    auto* legend = qobject_cast<QCPLegend*>(rect_->insetLayout()->elementAt(0));
+    while (curves_.size() > count) {
+        plot_->removeGraph(curves_.back());  // with its entry of the legend
+        curves_.pop_back();
+        delete words_.back();
+        words_.pop_back();
+    }
+    while (curves_.size() < count) {
+        QCPGraph* curve =
+            plot_->addGraph(rect_->axis(QCPAxis::atBottom), rect_->axis(QCPAxis::atLeft));
+        curve->addToLegend(legend);
+        curves_.push_back(curve);
+        auto* words = new QLabel(this);
+        words->setObjectName(QString("figures_%1").arg(words_.size()));
         words->setTextFormat(Qt::PlainText);
         words->setWordWrap(true);
-        column->addWidget(words);
+        layout()->addWidget(words);
+        words_.push_back(words);
     }
-    words_[0]->setObjectName("figures_left");
-    words_[1]->setObjectName("figures_right");
     restyle();
 }
 
@@ -119,18 +139,15 @@ void ErrorStrip::make_plot() {
     rect_->insetLayout()->addElement(legend, Qt::AlignTop | Qt::AlignLeft);
     legend->setLayer("legend");
     legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
-    for (QCPGraph*& curve : curves_) {
-        curve = plot_->addGraph(rect_->axis(QCPAxis::atBottom), rect_->axis(QCPAxis::atLeft));
-        curve->addToLegend(legend);
-    }
 }
 
 bool ErrorStrip::aligned() const {
     return aligned_->isChecked();
 }
 
-void ErrorStrip::show_sides(const std::array<Side, 2>& sides) {
-    sides_ = sides;
+void ErrorStrip::show_sides(std::vector<Side> sides) {
+    sides_ = std::move(sides);
+    make_curves(sides_.size());
     for (std::size_t side = 0; side < sides_.size(); ++side) {
         words_[side]->setText(words_of_side(sides_[side]));
         curves_[side]->setName(sides_[side].name);

@@ -1,11 +1,10 @@
-// How far two runs are from the truth: along the time or the way, and in figures.
+// How far runs are from the truth: along the time or the way, and in figures.
 #pragma once
 
 #include <QColor>
 #include <QPointF>
 #include <QString>
 #include <QWidget>
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -34,7 +33,7 @@ struct PathFigures {
 };
 PathFigures path_figures(const Trajectory& path, const Trajectory& reference, bool aligned);
 
-/// The two sides of a comparison, one over the other.
+/// The two sides of a comparison and what else was chosen with them, one over the other.
 class ErrorStrip final : public QWidget {
     Q_OBJECT
 
@@ -46,7 +45,7 @@ class ErrorStrip final : public QWidget {
         PathFigures figures;
         QString problem = {};  ///< why there are no figures
     };
-    void show_sides(const std::array<Side, 2>& sides);
+    void show_sides(std::vector<Side> sides);
     /// Whether the errors are to be those after the alignment of the ATE.
     bool aligned() const;
     void restyle();
@@ -64,17 +63,18 @@ class ErrorStrip final : public QWidget {
   private:
     QWidget* make_tools();
     void make_plot();
+    void make_curves(std::size_t count);
     void draw();
     void style(const Colours& colours);
     Exportable exportable();
 
-    std::array<Side, 2> sides_;
+    std::vector<Side> sides_;
     QComboBox* along_ = nullptr;
     QCheckBox* aligned_ = nullptr;
     QCustomPlot* plot_;
     QCPAxisRect* rect_ = nullptr;
-    std::array<QCPGraph*, 2> curves_{};
-    std::array<QLabel*, 2> words_{};
+    std::vector<QCPGraph*> curves_;
+    std::vector<QLabel*> words_;
 };
 
 /// Of a side's path, wherever it is drawn.
