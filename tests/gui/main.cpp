@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
     if (name == "keyboard") return run<KeyboardTest>(arguments);
     if (name == "lessons") return run<LessonsTest>(arguments);
     if (name == "measure") return run<MeasureTest>(arguments);
+    if (name == "sessions") return run<SessionsTest>(arguments);
     if (name == "study") return run<StudyTest>(arguments);
     if (name == "time") return run<TimeTest>(arguments);
     if (name == "random") return run<RandomUserTest>(arguments);
@@ -66,8 +67,6 @@ int main(int argc, char** argv) {
     if (name == "words") return run<WordsTest>(arguments);
     qCritical(
         "expected contact, draw, drive, fit, gamepad, guide, source, configuration, random, run, "
-        "runs, "
-        "study, "
-        "time, view, inspect, keyboard, lessons, measure or words");
+        "runs, sessions, study, time, view, inspect, keyboard, lessons, measure or words");
     return 2;
 }

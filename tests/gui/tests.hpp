@@ -114,6 +114,7 @@ class RunsTest : public QObject {
     void a_run_is_compared_with_its_odometry();
     void figures_are_hidden_at_first_and_need_a_reference();
     void figures_are_those_of_the_services();
+    void the_errors_of_more_than_two_lie_over_each_other();
     void paths_have_the_colours_of_their_errors();
     void a_run_of_another_log_has_no_figures();
     void the_plot_of_the_errors_is_saved();
@@ -124,6 +125,15 @@ class RunsTest : public QObject {
     void a_finished_run_stays_so_when_one_looks_back();
     void a_killed_windows_run_is_told_by_the_next_one();
     void a_run_whose_display_dies_is_told_by_the_next_window();
+};
+
+class SessionsTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void they_come_true_data();
+    void they_come_true();
+    void what_does_not_come_true_is_told();
 };
 
 class DriveTest : public QObject {

@@ -117,14 +117,9 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
         .add_option(
             "--show", out.show,
             "What the picture shows: main, world, plots, landmarks, particles, associations, "
-            "joint, measurements, runs, compare, compare-figures, draw, drive, source, "
-            "configuration, run-until, export, best-map, odometry, study, guide")
-        ->check(CLI::IsMember({"main",          "world",        "plots",           "landmarks",
-                               "particles",     "associations", "joint",           "measurements",
-                               "runs",          "compare",      "compare-figures", "source",
-                               "configuration", "draw",         "drive",           "run-until",
-                               "export",        "best-map",     "odometry",        "study",
-                               "guide"}));
+            "joint, measurements, runs")
+        ->check(CLI::IsMember({"main", "world", "plots", "landmarks", "particles", "associations",
+                               "joint", "measurements", "runs"}));
     program.add_flag("--benchmark", out.benchmark,
                      "Run the log with and without the window; print speeds and response times");
     program

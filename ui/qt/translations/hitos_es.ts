@@ -3613,6 +3613,14 @@
         <source>Added to the scans&apos; times besides, where the laser&apos;s clock runs at another speed or was set: seconds@second of the tour, as in 0@0,-1.39@680, evenly in between; two points of one second are a leap; empty adds nothing.</source>
         <translation>Se suma además a los tiempos de los barridos, donde el reloj del láser va a otra velocidad o se puso en hora: segundos@segundo del recorrido, como en 0@0,-1.39@680, por igual entre medias; dos puntos de un mismo segundo son un salto; vacío no suma nada.</translation>
     </message>
+    <message>
+        <source>nothing that this run makes use of</source>
+        <translation>nada que esta ejecución use</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 y %2 más</translation>
+    </message>
 </context>
 <context>
     <name>ParameterChoice</name>
@@ -4936,10 +4944,6 @@
         <translation>Cifras</translation>
     </message>
     <message>
-        <source>How far both are from the reference trajectory</source>
-        <translation>Cuánto se apartan ambos de la trayectoria de referencia</translation>
-    </message>
-    <message>
         <source>no scans yet</source>
         <translation>aún sin barridos</translation>
     </message>
@@ -4950,6 +4954,10 @@
     <message>
         <source>no reference trajectory of %1 is loaded; “File → Load reference trajectory…” takes one of the log in the window</source>
         <translation>no hay cargada ninguna trayectoria de referencia de %1; «Archivo → Cargar trayectoria de referencia…» toma una del registro de la ventana</translation>
+    </message>
+    <message>
+        <source>How far all are from the reference trajectory</source>
+        <translation>A qué distancia están todas de la trayectoria de referencia</translation>
     </message>
 </context>
 <context>
@@ -5113,6 +5121,14 @@
     <message>
         <source>How the former one was read is not applied</source>
         <translation>No se aplica cómo se leía la anterior</translation>
+    </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Deshecho: %1</translation>
+    </message>
+    <message>
+        <source>Redone: %1</source>
+        <translation>Rehecho: %1</translation>
     </message>
 </context>
 <context>
@@ -7071,10 +7087,6 @@
         <translation>Comparar</translation>
     </message>
     <message>
-        <source>Side by side, one over the other, or blinking</source>
-        <translation>Lado a lado, superpuestas o alternadas</translation>
-    </message>
-    <message>
         <source>Use configuration</source>
         <translation>Usar configuración</translation>
     </message>
@@ -7097,6 +7109,10 @@
     <message>
         <source>The results were not opened</source>
         <translation>No se han abierto los resultados</translation>
+    </message>
+    <message>
+        <source>Side by side, one over the other, or blinking; of more than two the errors</source>
+        <translation>Lado a lado, superpuestas o alternadas; de más de dos, los errores</translation>
     </message>
 </context>
 <context>
