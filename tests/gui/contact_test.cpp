@@ -169,12 +169,14 @@ void ContactTest::file_dialogs_open_where_there_are_files() {
     for (int time = 0; time < 2; ++time) {
         in_dialog<QFileDialog>([&](QFileDialog& dialog) {
             QCOMPARE(shipped(dialog), 1);
+            dialog.setSidebarUrls(dialog.sidebarUrls() << QUrl::fromLocalFile(f.folder.path()));
             dialog.reject();
         });
         QtPrompts prompts;
         const Prompts::FileQuestion question{"Open", f.folder.path(), "All files (*)", {}};
         QVERIFY(prompts.open_file(nullptr, question).isEmpty());
         QCOMPARE(shipped(QFileDialog()), 0);
+        QCOMPARE(QFileDialog().sidebarUrls().count(QUrl::fromLocalFile(f.folder.path())), 1);
     }
 }
 
@@ -362,7 +364,18 @@ void ContactTest::the_configuration_can_be_undone_and_redone() {
     threads.run.threads = 3;
     f.session.set_configuration(threads);
     f.trigger("action_undo");
+    QVERIFY2(f.notice().startsWith("Undone: Threads "), qPrintable(f.notice()));
+    Configuracion unused = Fixture::tour(20);
+    unused.filter.association.gate_probability = 0.9;  // of other methods than this one's
+    f.session.set_configuration(unused);
+    f.trigger("action_undo");
     QCOMPARE(f.notice(), QString("Undone: nothing that this run makes use of"));
+    // Of two logs of one name the folder tells which.
+    QDir(f.folder.path()).mkpath("b");
+    QVERIFY(QFile::copy(Fixture::source_file("data/bigloop.log.gz"), f.path("b/bigloop.log.gz")));
+    QVERIFY(f.window->configuration_actions().open(f.path("b/bigloop.log.gz")));
+    f.trigger("action_undo");
+    QVERIFY2(f.notice().startsWith("Undone: data/bigloop.log.gz"), qPrintable(f.notice()));
     f.session.set_configuration(Fixture::tour(30));
     QVERIFY(!f.action("action_redo")->isEnabled());  // another way was taken
     f.trigger("action_undo");

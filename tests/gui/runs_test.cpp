@@ -380,13 +380,19 @@ void RunsTest::the_errors_of_more_than_two_lie_over_each_other() {
         QVERIFY(words->text().startsWith(name_of(runs[place])));
     }
     // Laid over, the third one's path is there as well, until that run is removed.
+    comparison.show_figures(false);  // whose scale of colours is that of all
     comparison.set_mode(CompareWindow::Mode::overlaid);
     const QImage all = seen(comparison.view(0));
+    // Chosen as a side it leaves the others its place, and none is there twice.
+    comparison.choose(1, {runs[2].number, false});
+    comparison.choose(1, {runs[1].number, false});
+    QCOMPARE(seen(comparison.view(0)), all);
     f.list().remove(runs[2].number);
     QVERIFY(strip->findChild<QLabel*>("figures_2") == nullptr);
     QTRY_VERIFY(!comparison.building());
     QVERIFY(seen(comparison.view(0)) != all);
     // Another choice of two has no third.
+    comparison.show_figures(true);
     comparison.compare({runs[0], runs[1]});
     QVERIFY(strip->curve(0).size() == 40 && strip->curve(1).size() == 80);
 }

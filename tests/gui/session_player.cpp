@@ -5,15 +5,20 @@
 #include <QEventLoop>
 #include <QFile>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QKeySequence>
+#include <QLineEdit>
 #include <QRegularExpression>
 #include <QTranslator>
 #include <algorithm>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "actions/command_line.hpp"
 #include "app/application.hpp"
+#include "app/opening.hpp"
 #include "keyboard.hpp"
 #include "look/screen_fit.hpp"
 #include "runs/runs.hpp"
@@ -47,21 +52,52 @@ std::vector<Step> steps_of(const QString& file) {
     return steps;
 }
 
-/// The four numbers of "from 1 2 to 3 4", the two of "at 1 2".
-std::vector<double> numbers_in(const QString& text) {
-    std::vector<double> numbers;
-    for (const QString& word : text.split(' ')) {
-        bool is = false;
-        if (const double number = word.toDouble(&is); is) numbers.push_back(number);
-    }
-    return numbers;
-}
-
 QString short_lines(QStringList lines) {
     constexpr int kWidth = 100;
     for (QString& line : lines) line = line.left(kWidth);
     return lines.join('\n');
 }
+
+bool is_written(const QString& words) {
+    return std::ranges::any_of(all_in_sight(),
+                               [&](const QString& text) { return text.contains(words); });
+}
+
+/// Where nobody manages windows, the one above asks for the keyboard itself.
+bool has_keyboard() {
+    if (QApplication::activePopupWidget() != nullptr) return true;
+    QWidget* above = window_above();
+    if (above == nullptr) return false;
+    if (!above->isActiveWindow()) above->activateWindow();
+    return above->isActiveWindow();
+}
+
+QWidget* what_listens() {
+    if (QWidget* menu = QApplication::activePopupWidget()) return menu;
+    if (QWidget* focused = QApplication::focusWidget()) return focused;
+    return window_above();
+}
+
+QLineEdit* file_name_field() {
+    const auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    return dialog != nullptr ? dialog->findChild<QLineEdit*>("fileNameEdit") : nullptr;
+}
+
+/// "world_view at 8 0": the name, and the place in it.
+struct Aim {
+    QString name;
+    bool placed = false;
+    QPointF place;
+
+    explicit Aim(const QString& words) : name(words) {
+        static const QRegularExpression at("^(.*) at (-?[0-9.]+) (-?[0-9.]+)$");
+        const QRegularExpressionMatch match = at.match(words);
+        if (!match.hasMatch()) return;
+        name = match.captured(1);
+        placed = true;
+        place = {match.captured(2).toDouble(), match.captured(3).toDouble()};
+    }
+};
 
 /// Plays from the event loop, so that a dialog that waits for its answer gets it.
 class Player final : public QObject {
@@ -79,34 +115,64 @@ class Player final : public QObject {
     const Effort& effort() const { return effort_; }
 
   private:
+    struct Verb {
+        const char* wanting;  ///< what is told where it is not possible
+        bool (Player::*possible)(const QString& rest);
+        void (Player::*act)(const QString& rest);
+    };
+
+    static const std::map<QString, Verb>& verbs() {
+        static const std::map<QString, Verb> all{
+            {"size", {"there is no window", &Player::has_window, &Player::give_size}},
+            {"press", {"nothing has the keyboard", &Player::listens, &Player::press_key}},
+            {"type", {"nothing has the keyboard", &Player::listens, &Player::type_words}},
+            {"file", {"no file is asked for", &Player::asks_for_file, &Player::name_file}},
+            {"click", {"it is not to be clicked", &Player::is_target, &Player::click}},
+            {"double", {"it is not to be clicked", &Player::is_target, &Player::click_twice}},
+            {"see", {"it is not in sight", &Player::is_in_sight, &Player::nothing}},
+            {"gone", {"it is still in sight", &Player::is_gone, &Player::nothing}},
+            {"written", {"it is not written", &Player::is_file, &Player::nothing}},
+            {"rest", {"it does not come to rest", &Player::rests_for_a_while, &Player::nothing}},
+            {"drive", {"there is no robot to drive", &Player::has_robot, &Player::drive}},
+            {"picture", {"there is no window", &Player::has_window, &Player::take_picture}}};
+        return all;
+    }
+
     void next() { QTimer::singleShot(5, this, &Player::advance); }
 
     void advance() {
+        if (!failure_.isEmpty()) return;
         if (at_ == steps_.size()) {
             if (QWidget* left = QApplication::activeModalWidget())
                 failure_ = "a dialog waits at the end: " + left->windowTitle();
             finish();
             return;
         }
-        const Step step = steps_[at_];
-        QString wanting;
-        const bool ready = is_ready(step, wanting);
-        if (!ready && wanting.isEmpty()) {
-            fail(step, "nothing is known under the word " + step.verb);
-        } else if (!ready && since_.elapsed() > patience_ms_) {
-            fail(step, wanting + "; in sight:\n" + short_lines(all_in_sight()));
-        } else {
-            // A dialog opened by this step ends within it.
-            if (ready) ++at_;
-            next();
-            if (!ready) return;
-            since_.restart();
-            resting_.invalidate();
-            perform(step);
+        const Step& step = steps_[at_];
+        const auto verb = verbs().find(step.verb);
+        if (verb == verbs().end()) {
+            fail("nothing is known under this word", at_);
+            return;
         }
+        if (!(this->*verb->second.possible)(step.rest)) {
+            if (since_.elapsed() <= patience_ms_) {
+                next();
+            } else {
+                fail(verb->second.wanting + QString("; in sight:\n") + short_lines(all_in_sight()),
+                     at_);
+            }
+            return;
+        }
+        next();  // a dialog that this step opens ends within it
+        ++at_;
+        since_.restart();
+        resting_.invalidate();
+        (this->*verb->second.act)(step.rest);
     }
 
-    void fail(const Step& step, const QString& why) {
+    /// Of the step that is being taken or waited for.
+    void fail(const QString& why, std::size_t place) {
+        const Step& step = steps_[place];
         failure_ = QString("line %1, %2 %3: %4").arg(step.line).arg(step.verb, step.rest, why);
         finish();
     }
@@ -121,55 +187,37 @@ class Player final : public QObject {
         loop_.quit();
     }
 
-    bool is_ready(const Step& step, QString& wanting) {
-        const QString& verb = step.verb;
-        if (verb == "click" || verb == "double" || verb == "menu" || verb == "point" ||
-            verb == "drag") {
-            wanting = "it is not to be clicked";
-            const Target target = target_of(name_in(step.rest));
-            constexpr int kAfterOpening = 100;
-            const int wait = target.slow ? QApplication::doubleClickInterval() + kAfterOpening : 0;
-            return target.widget != nullptr && since_.elapsed() >= wait;
-        }
-        if (verb == "see" || verb == "gone") {
-            wanting = verb == "see" ? "it is not in sight" : "it is still in sight";
-            const QStringList seen = all_in_sight();
-            const bool there = std::ranges::any_of(
-                seen, [&step](const QString& text) { return text.contains(step.rest); });
-            return there == (verb == "see");
-        }
-        if (verb == "rest") {
-            wanting = "it does not come to rest";
-            constexpr int kSettleMs = 300;
-            if (!rests()) {
-                resting_.invalidate();
-            } else if (!resting_.isValid()) {
-                resting_.start();
-            }
-            return resting_.isValid() && resting_.elapsed() > kSettleMs;
-        }
-        if (verb == "press" || verb == "type" || verb == "hold" || verb == "file") {
-            wanting = "nothing has the keyboard";
-            if (verb == "file" &&
-                qobject_cast<QFileDialog*>(QApplication::activeModalWidget()) == nullptr)
-                return false;
-            return has_keyboard();
-        }
-        wanting = known_otherwise(verb) ? "it is not possible" : QString();
-        return known_otherwise(verb);
+    // What has to be so before a step is taken.
+
+    bool has_window(const QString& /*rest*/) { return window_above() != nullptr; }
+    bool listens(const QString& /*rest*/) { return has_keyboard(); }
+    bool asks_for_file(const QString& /*rest*/) {
+        return has_keyboard() && file_name_field() != nullptr;
+    }
+    bool is_in_sight(const QString& words) { return is_written(words); }
+    bool is_gone(const QString& words) { return !is_written(words); }
+    bool is_file(const QString& path) { return QFileInfo(path).size() > 0; }
+
+    bool is_target(const QString& rest) {
+        const Target target = target_of(Aim(rest).name);
+        constexpr int kAfterOpening = 100;
+        const int wait = target.slow ? QApplication::doubleClickInterval() + kAfterOpening : 0;
+        return target.widget != nullptr && since_.elapsed() >= wait;
     }
 
-    static bool known_otherwise(const QString& verb) {
-        return QStringList{"size", "release", "drive", "picture"}.contains(verb);
+    bool has_robot(const QString& /*rest*/) {
+        const auto* workshop = f_.window->findChild<WorldWindow*>();
+        return workshop != nullptr && workshop->isVisible();
     }
 
-    /// Where nobody manages windows, the one above asks for the keyboard itself.
-    static bool has_keyboard() {
-        if (QApplication::activePopupWidget() != nullptr) return true;
-        QWidget* above = window_above();
-        if (above == nullptr) return false;
-        if (!above->isActiveWindow()) above->activateWindow();
-        return above->isActiveWindow();
+    bool rests_for_a_while(const QString& /*rest*/) {
+        constexpr int kSettleMs = 300;
+        if (!rests()) {
+            resting_.invalidate();
+        } else if (!resting_.isValid()) {
+            resting_.start();
+        }
+        return resting_.isValid() && resting_.elapsed() > kSettleMs;
     }
 
     bool rests() const {
@@ -191,64 +239,33 @@ class Player final : public QObject {
         return workshop == nullptr || !workshop->isVisible() || workshop->check_line().up_to_date();
     }
 
-    static QString name_in(const QString& rest) {
-        static const QRegularExpression place(" (at|from) -?[0-9].*$");
-        return QString(rest).remove(place);
-    }
+    // The steps.
 
-    void perform(const Step& step) {
-        const QString& verb = step.verb;
-        if (verb == "size") {
-            apply_size(*window_above(), step.rest.toStdString());
-        } else if (verb == "press") {
-            press_key(step);
-        } else if (verb == "hold" || verb == "release") {
-            const auto key = QKeySequence(step.rest)[0].key();
-            verb == "hold" ? QTest::keyPress(listener_now(), key)
-                           : QTest::keyRelease(listener_now(), key);
-            effort_.keys += verb == "hold" ? 1 : 0;
-        } else if (verb == "type") {
-            type_words(step.rest);
-        } else if (verb == "file") {
-            name_file(step.rest);
-        } else if (verb == "drive") {
-            LiveDrive& drive = f_.window->findChild<WorldWindow*>()->drive();
-            drive.rest();
-            for (int k = 0; k < step.rest.toInt(); ++k) drive.drive_period();
-        } else if (verb == "picture") {
-            take_picture(step);
-        } else if (verb != "see" && verb != "gone" && verb != "rest") {
-            use_mouse(verb, target_of(name_in(step.rest)), numbers_in(step.rest));
-        }
-    }
+    void nothing(const QString& /*rest*/) {}
 
-    static QWidget* listener_now() {
-        if (QWidget* menu = QApplication::activePopupWidget()) return menu;
-        if (QWidget* focused = QApplication::focusWidget()) return focused;
-        return window_above();
-    }
+    void give_size(const QString& size) { apply_size(*window_above(), size.toStdString()); }
 
-    void press_key(const Step& step) {
-        const QKeySequence keys(step.rest);
+    void press_key(const QString& name) {
+        const QKeySequence keys(name);
         if (keys.count() != 1 || keys[0].key() == Qt::Key_unknown) {
-            fail(step, "there is no such key");
+            fail("there is no such key", at_ - 1);
             return;
         }
         ++effort_.keys;
-        QTest::keyClick(listener_now(), keys[0].key(), keys[0].keyboardModifiers());
+        QTest::keyClick(what_listens(), keys[0].key(), keys[0].keyboardModifiers());
     }
 
     void type_words(const QString& words) {
-        effort_.keys += int(words.size());
-        QTest::keyClicks(listener_now(), words);
+        effort_.keys += static_cast<int>(words.size());
+        QTest::keyClicks(what_listens(), words);
     }
 
     /// What its completer shows is not chosen.
     void name_file(const QString& path) {
         const QPointer<QWidget> dialog(QApplication::activeModalWidget());
-        auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+        QLineEdit* name = file_name_field();
         name->clear();  // it is selected where a user comes to it
-        effort_.keys += int(path.size()) + 1;
+        effort_.keys += static_cast<int>(path.size()) + 1;
         QTest::keyClicks(name, QDir::current().absoluteFilePath(path));
         for (int tries = 0; dialog && dialog->isVisible() && tries < 3; ++tries) {
             QWidget* above = QApplication::activePopupWidget();
@@ -256,16 +273,20 @@ class Player final : public QObject {
         }
     }
 
-    void use_mouse(const QString& verb, const Target& target, const std::vector<double>& at) {
+    void click(const QString& rest) { click_at(rest, false); }
+    void click_twice(const QString& rest) { click_at(rest, true); }
+
+    void click_at(const QString& rest, bool twice) {
+        const Aim aim(rest);
+        const Target target = target_of(aim.name);
         QWidget* widget = target.widget;
         QPoint place = target.at;
-        auto* view = qobject_cast<CanvasView*>(widget);
-        const auto pixel = [view, widget](double x, double y) {
-            if (view == nullptr)
-                return QPointF(x * widget->width(), y * widget->height()).toPoint();
-            return view->camera().to_screen(view->size()).map(QPointF(x, y)).toPoint();
-        };
-        if (at.size() >= 2) place = pixel(at[0], at[1]);
+        if (const auto* view = qobject_cast<CanvasView*>(widget); aim.placed && view != nullptr) {
+            place = view->camera().to_screen(view->size()).map(aim.place).toPoint();
+        } else if (aim.placed) {
+            place = QPoint(static_cast<int>(aim.place.x() * widget->width()),
+                           static_cast<int>(aim.place.y() * widget->height()));
+        }
         if (qobject_cast<QAbstractButton*>(widget) == nullptr) {
             if (QWidget* inner = widget->childAt(place)) {
                 place = inner->mapFrom(widget, place);
@@ -273,37 +294,23 @@ class Player final : public QObject {
             }
         }
         if (QApplication::activePopupWidget() == nullptr) widget->window()->activateWindow();
-        effort_.clicks += verb == "point" ? 0 : 1;
-        if (verb == "point") {
-            move_mouse(*widget, place, Qt::NoButton);
-        } else if (verb == "drag") {
-            QTest::mousePress(widget, Qt::LeftButton, {}, place);
-            const QPoint end = pixel(at[2], at[3]);
-            for (const double share : {0.3, 0.7, 1.0})
-                move_mouse(*widget, place + share * (end - place), Qt::LeftButton);
-            QTest::mouseRelease(widget, Qt::LeftButton, {}, end);
-        } else if (verb == "menu") {
-            QContextMenuEvent event(QContextMenuEvent::Mouse, place, widget->mapToGlobal(place));
-            QApplication::sendEvent(widget, &event);
-        } else {
-            const QPointer<QWidget> still(widget);
-            QTest::mouseClick(widget, Qt::LeftButton, {}, place);
-            if (verb == "double" && still) QTest::mouseDClick(widget, Qt::LeftButton, {}, place);
-        }
+        ++effort_.clicks;
+        const QPointer<QWidget> still(widget);
+        QTest::mouseClick(widget, Qt::LeftButton, {}, place);
+        if (twice && still) QTest::mouseDClick(widget, Qt::LeftButton, {}, place);
     }
 
-    static void move_mouse(QWidget& widget, QPoint place, Qt::MouseButton held) {
-        // Without a screen a move of the mouse itself is heard of by nobody.
-        QMouseEvent event(QEvent::MouseMove, place, widget.mapToGlobal(place), Qt::NoButton, held,
-                          Qt::NoModifier);
-        QApplication::sendEvent(&widget, &event);
+    void drive(const QString& periods) {
+        LiveDrive& drive = f_.window->findChild<WorldWindow*>()->drive();
+        drive.rest();  // the session is the clock
+        for (int k = 0; k < periods.toInt(); ++k) drive.drive_period();
     }
 
-    void take_picture(const Step& step) {
+    void take_picture(const QString& name) {
         const QImage picture = window_above()->grab().toImage();
         const QString folder = qEnvironmentVariable("HITOS_PICTURES");
-        if (picture.isNull() || (!folder.isEmpty() && !picture.save(folder + '/' + step.rest)))
-            fail(step, "the picture was not made");
+        if (picture.isNull() || (!folder.isEmpty() && !picture.save(folder + '/' + name)))
+            fail("the picture was not made", at_ - 1);
     }
 
     KeyboardFixture& f_;
@@ -320,40 +327,73 @@ class Player final : public QObject {
 /// A folder that looks like the sources, in which the session may write.
 class Desk {
   public:
-    Desk() : before_(QDir::currentPath()) {
+    Desk() : before_(QDir::currentPath()), pictures_(qgetenv("HITOS_PICTURES")) {
+        if (!pictures_.isEmpty())
+            qputenv("HITOS_PICTURES", QFileInfo(pictures_).absoluteFilePath().toLocal8Bit());
         for (const QString& name : {QString("data"), QString("config")})
             QFile::link(Fixture::source_file(name), folder_.filePath(name));
         QDir().mkpath(folder_.filePath("out"));
         QDir::setCurrent(folder_.path());
     }
-    ~Desk() { QDir::setCurrent(before_); }
+    ~Desk() {
+        QDir::setCurrent(before_);
+        if (!pictures_.isEmpty()) qputenv("HITOS_PICTURES", pictures_);
+    }
+    Desk(const Desk&) = delete;
+    Desk& operator=(const Desk&) = delete;
 
   private:
     QTemporaryDir folder_;
     QString before_;
+    QByteArray pictures_;
 };
 
+/// The language and the theme of a session, and those of the tests again.
+class Setting {
+  public:
+    explicit Setting(const CommandLine& line) {
+        speak(*qApp, line.language.empty() ? "en" : QString::fromStdString(line.language));
+        apply_theme(*qApp, line.theme == "dark" ? Theme::dark : Theme::light);
+    }
+    ~Setting() {
+        for (const QTranslator* words : qApp->findChildren<QTranslator*>()) delete words;
+        speak(*qApp, "en");
+        apply_theme(*qApp, Theme::light);
+    }
+    Setting(const Setting&) = delete;
+    Setting& operator=(const Setting&) = delete;
+};
+
+/// False where it is no command line of a window that somebody looks at.
 bool parse_words(const QString& words, CommandLine& line) {
     std::vector<std::string> arguments{"hitos"};
     for (const QString& word : words.split(' ', Qt::SkipEmptyParts))
         arguments.push_back(word.toStdString());
     std::vector<char*> pointers;
+    pointers.reserve(arguments.size());
     for (std::string& argument : arguments) pointers.push_back(argument.data());
-    return !parse(int(pointers.size()), pointers.data(), line).has_value();
+    if (parse(static_cast<int>(pointers.size()), pointers.data(), line)) return false;
+    return line.screenshot.empty() && !line.benchmark && line.drive_pace == 0;
 }
 
 QString play_in(const CommandLine& line, std::vector<Step> steps, int patience_ms, Effort& effort) {
     KeyboardFixture f(0);
     apply_size(*f.window, line.size);
-    f.window->configuration_actions().start_or_warn(line);
-    if (line.open.empty() && line.config.empty()) f.window->offer_start();
+    open_named(*f.window, line, Audience::somebody);
+    begin(*f.window, f.session, line);
     QElapsedTimer clock;
     clock.start();
     Player player(f, std::move(steps), patience_ms);
     QString failure = player.play();
     effort = player.effort();
-    effort.seconds = double(clock.elapsed()) / 1000.0;
+    effort.seconds = static_cast<double>(clock.elapsed()) / 1000.0;
     return failure;
+}
+
+/// HITOS_SESSION_PATIENCE, in seconds, is for whoever writes a session.
+int patience_ms() {
+    const int seconds = qEnvironmentVariableIntValue("HITOS_SESSION_PATIENCE");
+    return seconds > 0 ? 1000 * seconds : kPatienceMs;
 }
 
 }  // namespace
@@ -369,24 +409,13 @@ QString failure_of_session(const QString& file, int patience_ms, Effort* effort)
     steps.erase(steps.begin());
     steps.pop_back();
     const Desk desk;
-    auto& application = *qobject_cast<QApplication*>(QCoreApplication::instance());
-    speak(application, line.language.empty() ? "en" : QString::fromStdString(line.language));
-    apply_theme(application, line.theme == "dark" ? Theme::dark : Theme::light);
+    const Setting setting(line);
     Effort spent;
     QString failure = play_in(line, std::move(steps), patience_ms, spent);
-    for (QTranslator* words : application.findChildren<QTranslator*>()) delete words;
-    speak(application, "en");
-    apply_theme(application, Theme::light);
     const QString found = QString("%1 clicks, %2 keys").arg(spent.clicks).arg(spent.keys);
     if (failure.isEmpty() && found != wanted) failure = "effort: found " + found;
     if (effort != nullptr) *effort = spent;
     return failure;
-}
-
-/// HITOS_SESSION_PATIENCE, in seconds, is for whoever writes a session.
-static int patience_ms() {
-    const int seconds = qEnvironmentVariableIntValue("HITOS_SESSION_PATIENCE");
-    return seconds > 0 ? 1000 * seconds : kPatienceMs;
 }
 
 Effort play_session(const QString& file) {

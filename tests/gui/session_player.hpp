@@ -5,16 +5,14 @@
 //   hitos ARGUMENTS         the window, as the program opens it; always the first line
 //   size 1100x700           of the window above
 //   press Ctrl+O Down       keys, to what has the keyboard
-//   hold Up, release Up     a key that stays down
 //   type WORDS              the keys of these words
 //   file PATH               the same in a file dialog, and Return
 //   click WORDS             on what has these words, or that label, or that name in the program
-//   double WORDS, menu WORDS   twice; with the right button
+//   double WORDS            twice
 //   click VIEW at X Y       there in the world [m]; of what is no view, so far across and down
-//   point VIEW at X Y       the mouse, without a click
-//   drag VIEW from X Y to X Y
 //   see WORDS               waits until they are written somewhere in sight
 //   gone WORDS              waits until they are not
+//   written FILE            waits until the file is there and holds something
 //   rest                    waits until nothing is computed and all is drawn
 //   drive N                 so many periods of a robot that is driven, whose clock rests
 //   picture NAME.png        of the window above, into the folder HITOS_PICTURES where there is one

@@ -44,7 +44,12 @@ void SessionsTest::what_does_not_come_true_is_told() {
     tells("hitos corridor\ngone Run\neffort 0 clicks, 0 keys\n", "it is still in sight");
     tells("hitos corridor\nclick No such button\neffort 1 clicks, 0 keys\n", "not to be clicked");
     tells("hitos corridor\npress Ctrl+Nokey\neffort 0 clicks, 1 keys\n", "there is no such key");
-    tells("hitos corridor\nwave\neffort 0 clicks, 0 keys\n", "nothing is known under");
+    tells("hitos corridor\nwave\neffort 0 clicks, 0 keys\n",
+          "line 2, wave : nothing is known under");
+    tells("hitos corridor\ndrive 3\neffort 0 clicks, 0 keys\n", "there is no robot");
+    tells("hitos corridor\nfile a.cfg\neffort 0 clicks, 0 keys\n", "no file is asked for");
+    tells("hitos corridor\nwritten out/a.cfg\neffort 0 clicks, 0 keys\n", "it is not written");
+    tells("hitos corridor --screenshot a.png\neffort 0 clicks, 0 keys\n", "expected hitos");
     tells("hitos corridor\nclick Run\neffort 2 clicks, 0 keys\n", "found 1 clicks, 0 keys");
     tells("hitos corridor\npress Ctrl+O\nsee Select\neffort 0 clicks, 1 keys\n",
           "a dialog waits at the end");

@@ -92,12 +92,13 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
     program.add_option("--distances", out.distances,
                        "Named distances between parallel walls to measure in the map");
     program.add_flag("--run", out.run, "Start running at once");
-    program
-        .add_option("--vary", out.vary,
-                    "Open the study of a parameter with these values, e.g. dmax=0.01,0.02; may be "
-                    "repeated once")
-        ->type_name("NAME=VALUES")
-        ->allow_extra_args(false);
+    CLI::Option* vary =
+        program
+            .add_option("--vary", out.vary,
+                        "Open the study of a parameter with these values, e.g. dmax=0.01,0.02; may "
+                        "be repeated once")
+            ->type_name("NAME=VALUES")
+            ->allow_extra_args(false);
     program.add_option("--study-runs", out.study_runs, "Runs of each value of the study")
         ->check(CLI::Range(1, 1000000));
     program.add_option("--study-folder", out.study_folder, "Folder for the results of the study");
@@ -107,8 +108,10 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
         ->check(CLI::IsMember({"light", "dark", "system"}));
     program.add_option("--size", out.size, "Size of the window, e.g. 1360x860")
         ->check(&complaint_of_size);
-    program.add_option("--screenshot", out.screenshot,
-                       "Write a picture (.png, .jpg) of the window and leave; needs no display");
+    program
+        .add_option("--screenshot", out.screenshot,
+                    "Write a picture (.png, .jpg) of the window and leave; needs no display")
+        ->excludes(vary);
     program.add_option("--steps", out.steps, "Steps to run before the picture is taken")
         ->check(CLI::Range(0, 1'000'000'000));
     program.add_option("--scale", out.scale, "Pixels per point of the picture")

@@ -404,11 +404,11 @@ void ConfigurationActions::redo() {
 }
 
 QString ConfigurationActions::undo_words() const {
-    return can_undo() ? change_words(before_.back(), now_) : QString();
+    return !before_.empty() ? change_words(before_.back(), now_) : QString();
 }
 
 QString ConfigurationActions::redo_words() const {
-    return can_redo() ? change_words(after_.back(), now_) : QString();
+    return !after_.empty() ? change_words(after_.back(), now_) : QString();
 }
 
 void ConfigurationActions::go_to(std::vector<Configuracion>& there,

@@ -54,8 +54,6 @@ class ConfigurationActions final : public QObject {
     /// To the configuration before the last change, with its log, and forwards again.
     void undo();
     void redo();
-    bool can_undo() const { return !before_.empty(); }
-    bool can_redo() const { return !after_.empty(); }
     /// What they would set: "Particles 10"; empty where there is nothing.
     QString undo_words() const;
     QString redo_words() const;

@@ -12,20 +12,17 @@
 #include <optional>
 
 #include "actions/command_line.hpp"
-#include "actions/configuration_actions.hpp"
 #include "actions/pace_control.hpp"
 #include "application.hpp"
 #include "benchmark.hpp"
-#include "dialogs/study_dialog.hpp"
 #include "drive_benchmark.hpp"
 #include "hitos/base/process.hpp"
 #include "language.hpp"
 #include "look/screen_fit.hpp"
 #include "look/words_of.hpp"
 #include "main_window.hpp"
-#include "measure/measurements.hpp"
+#include "opening.hpp"
 #include "runs/run_keeper.hpp"
-#include "runs/runs.hpp"
 #include "screenshot.hpp"
 #include "views/view_settings.hpp"
 
@@ -33,14 +30,6 @@ namespace {
 
 using namespace hitos::window;  // the program is nothing but the window
 using hitos::StopByRequest;
-
-void prepare_study(StudyDialog& study, const CommandLine& line) {
-    study.form().set_assignments(line.vary);
-    study.form().set_runs(line.study_runs);
-    if (!line.study_folder.empty()) {
-        study.form().set_folder(QString::fromStdString(line.study_folder));
-    }
-}
 
 /// Where no screen limits it.
 constexpr QSize kWithoutScreen(1360, 860);
@@ -92,17 +81,8 @@ int run_window(QApplication& application, UserFiles& files, const CommandLine& l
     }
     apply_size(window, line.size);
 
-    ConfigurationActions& actions = window.configuration_actions();
-    without_display(line) ? actions.start(line) : actions.start_or_warn(line);
-    const QString named = QString::fromStdString(line.open);
-    if (!named.isEmpty() && kind_of(named) == FileKind::results) window.runs().open(named);
-    const QString distances = QString::fromStdString(line.distances);
-    if (!distances.isEmpty()) {
-        without_display(line) ? window.measurements().open(distances)
-                              : window.open_distances(distances);
-    }
+    open_named(window, line, without_display(line) ? Audience::nobody : Audience::somebody);
     if (nobody.warned()) return 1;
-    if (line.open.empty() && line.config.empty() && !line.benchmark) window.offer_start();
     int code = 0;
     if (!line.screenshot.empty()) {
         take_screenshot(window, session, line);
@@ -113,8 +93,7 @@ int run_window(QApplication& application, UserFiles& files, const CommandLine& l
         code = run_drive_benchmark(window, session, line.drive_pace);
     } else {
         window.show();
-        if (!line.vary.empty()) prepare_study(window.open_study(), line);
-        if (line.run) session.run();
+        begin(window, session, line);
         QTimer::singleShot(0, &window, &MainWindow::tell_left_runs);
         const StopByRequest request(StopByRequest::Patience::endless);
         QTimer watch;

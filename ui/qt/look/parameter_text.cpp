@@ -1,6 +1,7 @@
 #include "parameter_text.hpp"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
 #include <QStringList>
 #include <algorithm>
@@ -122,8 +123,16 @@ QString difference_words(const Configuracion& configuration, const Configuracion
 QString change_words(const Configuracion& configuration, const Configuracion& base) {
     constexpr qsizetype kMost = 3;
     QStringList words = differing(configuration, base);
-    if (configuration.source.file != base.source.file) {
-        words.prepend(QFileInfo(QString::fromStdString(configuration.source.file)).fileName());
+    if (configuration.run.threads != base.run.threads) {  // which changes no result
+        const ConfigParameter& threads = find_parameter("run.threads");
+        words << label_of(threads) + ' ' + value_of(threads, configuration);
+    }
+    if (!same_log(configuration, base)) {
+        const QFileInfo now(QString::fromStdString(configuration.source.file));
+        const QFileInfo other(QString::fromStdString(base.source.file));
+        words.prepend(now.fileName() == other.fileName()
+                          ? now.dir().dirName() + '/' + now.fileName()
+                          : now.fileName());
     }
     if (words.empty()) {
         return QCoreApplication::translate("Parameter", "nothing that this run makes use of");

@@ -39,8 +39,8 @@ QString value_of(const ConfigParameter& parameter, const Configuracion& configur
 QString value_with_unit(const ConfigParameter& parameter, const Configuracion& configuration);
 /// What the configuration has otherwise than `base`: "Particles 200, Seed 3"; empty where nothing.
 QString difference_words(const Configuracion& configuration, const Configuracion& base);
-/// The same of a change, with another log's name, and of many the first few: "aces.log.gz,
-/// Particles 200, D max 0.02 m and 11 more".
+/// The same of a change, with another log's name and threads, and of many the first few:
+/// "aces.log.gz, Particles 200, D max 0.02 m and 11 more".
 QString change_words(const Configuracion& configuration, const Configuracion& base);
 /// "0 to 10 m", translated.
 QString allowed_of(const ParameterFacts& parameter);

@@ -71,18 +71,21 @@ QString QtPrompts::open_file(QWidget* parent, const FileQuestion& question) {
                        question.filters);
     dialog.setFileMode(QFileDialog::ExistingFile);
     if (!folder) dialog.selectFile(start.fileName());
-    // What comes with Hitos is a click away, wherever the last file was. The dialog would write its
+    // What comes with Hitos is a click away, wherever the last file was; but the dialog writes its
     // places into settings that all programs with Qt share.
-    const QList<QUrl> of_the_user = dialog.sidebarUrls();
-    QList<QUrl> places = of_the_user;
+    QList<QUrl> shipped;
     for (const char* kind : {"config", "log", "map"}) {
-        const QString shipped = shipped_folder(kind);
-        const QUrl place = QUrl::fromLocalFile(shipped);
-        if (!shipped.isEmpty() && !places.contains(place)) places << place;
+        const QString place = shipped_folder(kind);
+        if (!place.isEmpty()) shipped << QUrl::fromLocalFile(place);
     }
-    dialog.setSidebarUrls(places);
+    const auto of_the_user = [&] {
+        QList<QUrl> places = dialog.sidebarUrls();
+        places.removeIf([&shipped](const QUrl& place) { return shipped.contains(place); });
+        return places;
+    };
+    dialog.setSidebarUrls(of_the_user() + shipped);
     const bool accepted = dialog.exec() == QDialog::Accepted;
-    dialog.setSidebarUrls(of_the_user);
+    dialog.setSidebarUrls(of_the_user());
     return accepted ? dialog.selectedFiles().value(0) : QString();
 }
 

@@ -50,7 +50,7 @@ CompareWindow::CompareWindow(RunList& list, const ViewSettings& settings, QWidge
     strip_ = new ErrorStrip(this);
     strip_->hide();
     column->addWidget(strip_);
-    connect(strip_, &ErrorStrip::alignment_changed, this, &CompareWindow::measure);
+    connect(strip_, &ErrorStrip::alignment_changed, this, [this] { measure(); });
     connect(strip_, &ErrorStrip::picture_wanted, this, &CompareWindow::picture_wanted);
     connect(&settings, &ViewSettings::theme_changed, strip_, &ErrorStrip::restyle);
     verdict_ = new QLabel(this);
@@ -71,7 +71,8 @@ CompareWindow::CompareWindow(RunList& list, const ViewSettings& settings, QWidge
         }
         // It compares whole paths: no oftener than its cost allows.
         const qint64 wait_ms = std::max<qint64>(kMeasureMs, 20 * measuring_ms_);
-        list_.present_rests() || since_measured_.elapsed() > wait_ms ? measure() : paint_sides();
+        list_.present_rests() || since_measured_.elapsed() > wait_ms ? measure(Of::present)
+                                                                     : paint_sides();
     });
     resize(kCompareSize);
     fit_to_screen(*this);
@@ -166,6 +167,7 @@ void CompareWindow::fill_boxes() {
             const QPoint first = side.box->currentData().toPoint();
             side.choice = {first.x(), first.y() == 1};
             side.run = nullptr;
+            std::erase_if(others_, [&side](const Compared& o) { return o.choice == side.choice; });
         }
         take(side);
     }
@@ -185,7 +187,8 @@ void CompareWindow::compare(const std::vector<ListedRun>& runs) {
         left = {all.back().number, false};
     } else if (present) {  // what it was before, if there is any
         for (const ListedRun& kept : all | std::views::drop(1)) {
-            if (same_log(kept.run->configuration, all.front().run->configuration))
+            const KeptRun& now = *all.front().run;
+            if (same_log(kept.run->configuration, now.configuration) && !same_run(*kept.run, now))
                 left = {kept.number, false};
         }
     }
@@ -193,25 +196,36 @@ void CompareWindow::compare(const std::vector<ListedRun>& runs) {
     others_.clear();
     if (runs.size() > 1) {
         right = {runs[1].number, false};
-        for (const ListedRun& other : runs | std::views::drop(2))
+        for (const ListedRun& other : runs | std::views::take(kMostCompared) | std::views::drop(2))
             others_.push_back({{other.number, false}, other.run, {}});
     } else if (present && left.number != 0) {
         right = {};
     }
-    choose(0, left);
-    choose(1, right);
+    set_side(0, left);
+    set_side(1, right);
+    measure();
     sides_.front().view->fit();
 }
 
 void CompareWindow::choose(int side, const Choice& choice) {
-    Side& changed = sides_[static_cast<std::size_t>(side)];
+    // One that was among the others leaves them its place.
+    for (Compared& other : others_) {
+        if (other.choice != choice) continue;
+        other = {sides_[static_cast<std::size_t>(side)].choice, nullptr, {}};
+        other.run = run_of(other.choice);
+    }
+    set_side(static_cast<std::size_t>(side), choice);
+    measure();
+}
+
+void CompareWindow::set_side(std::size_t side, const Choice& choice) {
+    Side& changed = sides_[side];
     if (changed.choice != choice) changed.run = nullptr;
     changed.choice = choice;
     const QScopedValueRollback filling(filling_, true);
     changed.box->setCurrentIndex(
         changed.box->findData(QPoint(choice.number, choice.odometry ? 1 : 0)));
     take(changed);
-    measure();
 }
 
 /// Null where it is not in the list.
@@ -285,12 +299,15 @@ PathFigures CompareWindow::figures_of(const Compared& of) const {
     return path_figures(of.path(), *reference, strip_->aligned());
 }
 
-void CompareWindow::measure() {
+void CompareWindow::measure(Of which) {
     since_measured_.start();
-    for (Side& side : sides_) side.figures = figures_of(side);
+    const auto renew = [&](Compared& of) {
+        if (of.choice.number == 0 || which == Of::all) of.figures = figures_of(of);
+    };
+    for (Side& side : sides_) renew(side);
     for (Compared& other : others_) {
         if (other.choice.number == 0) other.run = run_of(other.choice);
-        other.figures = figures_of(other);
+        renew(other);
     }
     std::vector<ErrorStrip::Side> shown;
     for (const Compared* of : compared())
@@ -311,8 +328,9 @@ RunTrace CompareWindow::trace_of(std::size_t place, bool landmarks) const {
     for (const PathError& error : of.figures.errors) {
         if (error.pose < trace.errors_m.size()) trace.errors_m[error.pose] = error.error_m;
     }
-    for (const Compared* other : all)
-        trace.greatest_m = std::max(trace.greatest_m, other->figures.greatest_m());
+    const std::size_t in_sight = mode_ == Mode::overlaid ? all.size() : sides_.size();
+    for (std::size_t i = 0; i < in_sight; ++i)
+        trace.greatest_m = std::max(trace.greatest_m, all[i]->figures.greatest_m());
     return trace;
 }
 

@@ -76,12 +76,14 @@ class CompareWindow final : public QDialog {
     void make_side(std::size_t side, const ViewSettings& settings);
     QWidget* make_tools();
     void fill_boxes();
+    void set_side(std::size_t side, const Choice& choice);
     void take(Side& side);
     void refresh_grid(Side& side);
     void paint_sides();
     std::vector<const Compared*> compared() const;
     std::shared_ptr<const KeptRun> run_of(const Choice& choice) const;
-    void measure();
+    enum class Of { all, present };
+    void measure(Of which = Of::all);
     PathFigures figures_of(const Compared& of) const;
     QString problem_of(const Compared& of) const;
     RunTrace trace_of(std::size_t place, bool landmarks) const;

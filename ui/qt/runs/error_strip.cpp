@@ -62,8 +62,8 @@ PathFigures path_figures(const Trajectory& path, const Trajectory& reference, bo
 
 QColor side_colour(std::size_t side, const Colours& colours) {
     // Light blue first: neither the red of the path nor the blue of landmarks.
-    constexpr std::array kOthers{5, 2, 4, 3, 6, 0};
-    return side == 0 ? colours.path : colour_of({kOthers[(side - 1) % kOthers.size()], nullptr});
+    constexpr std::array<int, kMostCompared - 1> kOthers{5, 2, 4, 3, 6};
+    return side == 0 ? colours.path : colour_of({kOthers.at(side - 1), nullptr});
 }
 
 ErrorStrip::ErrorStrip(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {

@@ -22,6 +22,9 @@ class QLabel;
 
 namespace hitos::window {
 
+/// As many as colours tell apart, and as lines of words leave the views their room.
+constexpr std::size_t kMostCompared = 6;
+
 /// A path against the reference of its log.
 struct PathFigures {
     std::optional<TrajectoryError> absolute;  ///< nothing where the reference tells nothing of it

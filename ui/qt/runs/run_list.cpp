@@ -3,14 +3,11 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
-#include <QStringList>
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/evaluation/measures.hpp"
-#include "look/parameter_text.hpp"
 #include "session/background.hpp"
 
 namespace hitos::window {
@@ -24,14 +21,13 @@ bool has_ended(const Snapshot& state) {
     return state.revision > state.steps;
 }
 
-/// The same scans under the same parameters: the results are equal to the last bit.
-bool same(const KeptRun& a, const KeptRun& b) {
+}  // namespace
+
+bool same_run(const KeptRun& a, const KeptRun& b) {
     return a.scans == b.scans && a.finished == b.finished &&
            same_log(a.configuration, b.configuration) &&
            differences(a.configuration, b.configuration).empty();
 }
-
-}  // namespace
 
 QString name_of(const ListedRun& listed) {
     return listed.number == 0
@@ -152,7 +148,7 @@ ListedRun RunList::open(const QString& folder) {
 ListedRun RunList::add(ListedRun listed) {
     // A folder may hold what another program or another log of that name has made.
     const auto again = std::ranges::find_if(kept_, [&](const ListedRun& one) {
-        return one.folder == listed.folder && same(*one.run, *listed.run);
+        return one.folder == listed.folder && same_run(*one.run, *listed.run);
     });
     if (again != kept_.end()) {
         again->run = std::move(listed.run);

@@ -24,6 +24,8 @@ struct ListedRun {
 QString name_of(const ListedRun& listed);
 /// That of its path in pictures.
 QColor colour_of(const ListedRun& listed);
+/// The same scans under the same parameters: the results are equal to the last bit.
+bool same_run(const KeptRun& a, const KeptRun& b);
 /// The name of its log's file.
 QString log_of(const KeptRun& run);
 /// The same with the folder of results that the run was read from: "aces.log.gz, out/b".

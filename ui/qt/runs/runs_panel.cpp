@@ -100,7 +100,7 @@ RunsPanel::RunsPanel(Session& session, RunList& list, UserFiles& files, Prompts&
     auto* row = new FlowLayout(buttons_, 4);
     compare_ = add_button(tr("Compare"), "runs_compare", &RunsPanel::compare);
     compare_->setToolTip(
-        tr("Side by side, one over the other, or blinking; of more than two the errors"));
+        tr("Side by side, one over the other, or blinking; of up to six the errors"));
     use_ = add_button(tr("Use configuration"), "runs_use", &RunsPanel::use);
     remove_ = add_button(tr("Remove"), "runs_remove", &RunsPanel::remove);
     QPushButton* open = add_button(tr("Open results…"), "runs_open", &RunsPanel::results_wanted);
@@ -158,7 +158,7 @@ void RunsPanel::refresh() {
 
 void RunsPanel::show_choice() {
     const std::vector<ListedRun> runs = isVisible() ? chosen() : std::vector<ListedRun>();
-    compare_->setEnabled(model_->rowCount() > 0);
+    compare_->setEnabled(model_->rowCount() > 0 && runs.size() <= kMostCompared);
     use_->setEnabled(runs.size() == 1 && runs.front().number > 0);
     remove_->setEnabled(std::ranges::any_of(runs, [](const auto& one) { return one.number > 0; }));
     std::vector<RunTrace> traces;

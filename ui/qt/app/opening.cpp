@@ -1,0 +1,36 @@
+#include "opening.hpp"
+
+#include <QString>
+
+#include "actions/configuration_actions.hpp"
+#include "dialogs/study_dialog.hpp"
+#include "look/user_files.hpp"
+#include "main_window.hpp"
+#include "measure/measurements.hpp"
+#include "runs/runs.hpp"
+
+namespace hitos::window {
+
+void open_named(MainWindow& window, const CommandLine& line, Audience audience) {
+    const bool alone = audience == Audience::nobody;
+    ConfigurationActions& actions = window.configuration_actions();
+    alone ? actions.start(line) : actions.start_or_warn(line);
+    const QString named = QString::fromStdString(line.open);
+    if (!named.isEmpty() && kind_of(named) == FileKind::results) window.runs().open(named);
+    const QString distances = QString::fromStdString(line.distances);
+    if (!distances.isEmpty())
+        alone ? window.measurements().open(distances) : window.open_distances(distances);
+    if (line.open.empty() && line.config.empty() && !line.benchmark) window.offer_start();
+}
+
+void begin(MainWindow& window, Session& session, const CommandLine& line) {
+    if (!line.vary.empty()) {
+        StudyForm& form = window.open_study().form();
+        form.set_assignments(line.vary);
+        form.set_runs(line.study_runs);
+        if (!line.study_folder.empty()) form.set_folder(QString::fromStdString(line.study_folder));
+    }
+    if (line.run) session.run();
+}
+
+}  // namespace hitos::window
