@@ -452,7 +452,7 @@ class WordsTest : public QObject {
   private slots:
     void nothing_is_left_untranslated();
     void every_parameter_has_spanish_words();
-    void the_window_speaks_spanish();
+    void the_window_speaks_the_words_of_the_thesis();
     void headings_name_what_runs();
     void nothing_speaks_of_particles_that_are_not_there();
     void the_program_makes_pictures_without_a_display();

@@ -9,12 +9,16 @@
 #include <QToolButton>
 #include <QTranslator>
 #include <QXmlStreamReader>
+#include <algorithm>
+#include <array>
+#include <utility>
 
 #include "actions/command_line.hpp"
 #include "app/application.hpp"
 #include "app/screenshot.hpp"
 #include "dialogs/configuration_dialog.hpp"
 #include "dialogs/run_until_dialog.hpp"
+#include "dialogs/source_dialog.hpp"
 #include "gui_fixture.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "look/parameter_text.hpp"
@@ -88,25 +92,84 @@ void WordsTest::every_parameter_has_spanish_words() {
     QApplication::removeTranslator(&spanish);
 }
 
-void WordsTest::the_window_speaks_spanish() {
+/// What the thesis prints of its windows, by section. Dots of what asks further are Hitos's.
+void WordsTest::the_window_speaks_the_words_of_the_thesis() {
     QTranslator spanish;
     QVERIFY(spanish.load(":/i18n/hitos_es.qm"));
     QApplication::installTranslator(&spanish);
     {
         Fixture f;
-        const QList<QPair<const char*, QString>> buttons{
-            {"button_run", "Ejecutar"},
-            {"button_stop", "Detener"},
-            {"button_step", "Ejecutar 1 paso"},
-            {"button_best_map", "Ver mejor partícula"},
-            {"button_odometry", "Ver odometría"},
-            {"button_save_map", "Guardar mapa mejor partícula"},
-            {"button_restart", "Reiniciar"}};
-        for (const auto& [name, words] : buttons)
+        using Words = QList<QPair<const char*, QString>>;
+        const Words panel{// [T 9.2.6.3]
+                          {"button_run", "Ejecutar"},
+                          {"button_stop", "Detener"},
+                          {"button_best_map", "Ver mejor partícula"},
+                          {"button_step", "Ejecutar 1 paso"},
+                          {"button_odometry", "Ver Odometría"},
+                          {"button_save_map", "Guardar Mapa Mejor Partícula"},
+                          {"button_restart", "Reiniciar"}};
+        for (const auto& [name, words] : panel)
             QCOMPARE(f.window->findChild<QToolButton*>(name)->text(), words);
-        QCOMPARE(f.action("action_select_source")->text(), QString("Seleccionar origen…"));
-        QCOMPARE(f.window->findChild<QLabel*>("value_motion.model")->text(),
-                 QString("Diferencial con odometría"));
+        const Words menus{// [T 9.2.6.4]
+                          {"action_select_source", "Seleccionar Origen…"},
+                          {"action_exit", "Salir"},
+                          {"action_manual", "Configuración Manual…"},
+                          {"action_load", "Cargar Configuración…"},
+                          {"action_save", "Guardar Configuración…"},
+                          {"action_set_default", "Establecer como predeterminada…"}};
+        for (const auto& [name, words] : menus) QCOMPARE(f.action(name)->text(), words);
+        const std::array<std::pair<ParameterGroup, const char*>, 6> groups{
+            {// [T 9.2.6.1, 9.2.6.5]
+             {ParameterGroup::source, "Origen de los datos"},
+             {ParameterGroup::motion, "Modelo de movimiento"},
+             {ParameterGroup::particle_filter, "Filtro de partículas"},
+             {ParameterGroup::observation, "Modelo de observación"},
+             {ParameterGroup::split_merge, "Algoritmo Split and Merge"},
+             {ParameterGroup::resampling, "Remuestreo"}}};
+        for (const auto& [group, words] : groups) QCOMPARE(title_of(group, {}), QString(words));
+        ConfigurationDialog form(Fixture::tour(10), f.window.get());
+        QCOMPARE(form.windowTitle(), QString("Configuración manual"));  // [T 9.2.6.4]
+        const Words fields{
+            // [T 8.2.2.4]
+            {"filter.particles", "Número de partículas (M)"},
+            {"features.detect", "Tipo de características"},
+            {"association.p0", "Probabilidad de una nueva observación (P0)"},
+            {"split_merge.min_points", "Mínimo número de puntos en una recta (Pmin)"},
+            {"split_merge.dmax", "Máxima distancia a la recta (Dmax)"},
+            {"split_merge.min_length", "Mínima longitud de una recta (Lmin)"},
+            {"motion.model", "Modelo del robot"},
+            {"resampling.rule", "Tipo de remuestreador"},
+            {"resampling.neff_threshold", "Número de partículas efectivas (Neff)"}};
+        for (const auto& [key, words] : fields) {
+            QCOMPARE(full_label_of(find_parameter(key)), words);
+            const auto labels = form.findChildren<QLabel*>();
+            QVERIFY2(std::ranges::count_if(labels,
+                                           [&words](const QLabel* label) {
+                                               return label->text().replace('\n', ' ') == words;
+                                           }) == 1,
+                     key);
+        }
+        const auto offered = [](const char* key) {
+            QStringList words;
+            const ConfigParameter& parameter = find_parameter(key);
+            for (std::size_t i = 0; i < parameter.choices.size(); ++i)
+                words << choice_of(parameter, i);
+            return words;
+        };
+        QCOMPARE(offered("features.detect"), QStringList({"Recta", "Punto", "Ambas"}));
+        QVERIFY(offered("motion.model").contains("Diferencial con odometría"));
+        QVERIFY(offered("motion.model").contains("Diferencial sin odometría"));
+        QCOMPARE(offered("resampling.rule"), QStringList({"Sin umbral", "Con umbral Neff"}));
+        QVERIFY(offered("association.method").contains("Máxima similitud"));  // [T 3.3.2]
+        SourceDialog source({}, f.prompts, {}, f.window.get());
+        QCOMPARE(source.windowTitle(), QString("Selección de origen"));
+        f.run_steps(3);
+        f.trigger("action_best_map");
+        QVERIFY(f.window->result_actions().best_window()->windowTitle().startsWith(
+            "Mapa de rejilla de la mejor partícula"));  // [T 9.2.6.3]
+        f.trigger("action_odometry");
+        QVERIFY(f.window->result_actions().odometry_window()->windowTitle().startsWith(
+            "Mapa de rejilla basado en odometría"));
     }
     QApplication::removeTranslator(&spanish);
 }
@@ -121,8 +184,8 @@ void WordsTest::headings_name_what_runs() {
         }
         return {};
     };
-    QCOMPARE(title(ParameterGroup::particle_filter), QString("FastSLAM 1.0"));
-    QCOMPARE(title(ParameterGroup::split_merge), QString("Split and Merge"));
+    QCOMPARE(title(ParameterGroup::particle_filter), QString("Particle filter"));
+    QCOMPARE(title(ParameterGroup::split_merge), QString("Split and Merge algorithm"));
     QCOMPARE(f.action("action_best_map")->text(), QString("View best particle"));
     Configuracion configuration = Fixture::tour(10);
     configuration.filter.algorithm = "ekf-slam";
@@ -144,7 +207,7 @@ void WordsTest::headings_name_what_runs() {
     };
     QCOMPARE(box(ParameterGroup::particle_filter), QString("EKF-SLAM"));
     dialog.findChild<QComboBox*>("field_filter.algorithm")->setCurrentIndex(0);
-    QCOMPARE(box(ParameterGroup::particle_filter), QString("FastSLAM 1.0"));
+    QCOMPARE(box(ParameterGroup::particle_filter), QString("Particle filter"));
     QCOMPARE(box(ParameterGroup::split_merge), QString("RANSAC"));
 }
 

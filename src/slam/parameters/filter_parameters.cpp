@@ -219,7 +219,7 @@ Table resampling_entries() {
                     "only where Neff has fallen below its threshold."),
          "filter"},
         {{"always", HITOS_TEXT("ParameterChoice", "Without threshold")},
-         {"neff", HITOS_TEXT("ParameterChoice", "Neff threshold")}});
+         {"neff", HITOS_TEXT("ParameterChoice", "With Neff threshold")}});
     return {
         rule,
         real<&Filter::resampling, &ResamplingParams::neff_threshold>(

@@ -50,9 +50,9 @@ ConfigurationDialog::ConfigurationDialog(const Configuracion& configuration, QWi
       original_(configuration),
       result_(configuration) {
     ui_->setupUi(this);
-    auto* columns = new QHBoxLayout(ui_->groups);
-    columns->setContentsMargins(0, 0, 6, 0);
-    columns->setSpacing(12);
+    columns_ = new QHBoxLayout(ui_->groups);
+    columns_->setContentsMargins(0, 0, 6, 0);
+    columns_->setSpacing(12);
     for (const auto& groups : kColumnGroups) {
         auto* column = new QVBoxLayout;
         column->setSpacing(12);
@@ -71,7 +71,7 @@ ConfigurationDialog::ConfigurationDialog(const Configuracion& configuration, QWi
             column->addWidget(box);
         }
         column->addStretch(1);
-        columns->addLayout(column, 1);
+        columns_->addLayout(column, 1);
     }
     connect(ui_->search, &QLineEdit::textChanged, this, &ConfigurationDialog::arrange);
     connect(ui_->buttons, &QDialogButtonBox::accepted, this, &ConfigurationDialog::accept);
@@ -88,6 +88,14 @@ ConfigurationDialog::ConfigurationDialog(const Configuracion& configuration, QWi
 }
 
 ConfigurationDialog::~ConfigurationDialog() = default;
+
+/// Where there is no room for two columns of whole words they stand one below the other.
+void ConfigurationDialog::resizeEvent(QResizeEvent* event) {
+    constexpr int kTwoColumns = 940;
+    columns_->setDirection(width() < kTwoColumns ? QBoxLayout::TopToBottom
+                                                 : QBoxLayout::LeftToRight);
+    QDialog::resizeEvent(event);
+}
 
 void ConfigurationDialog::add_group(Group group, QGridLayout* rows, QWidget* box) {
     auto* title = new QLabel(title_of(group, original_), box);

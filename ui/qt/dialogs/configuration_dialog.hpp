@@ -8,6 +8,7 @@
 #include "hitos/services/configuration/configuracion.hpp"
 #include "parameter_field.hpp"
 
+class QBoxLayout;
 class QGridLayout;
 class QLabel;
 class QToolButton;
@@ -37,6 +38,7 @@ class ConfigurationDialog final : public QDialog {
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void add_group(ParameterGroup group, QGridLayout* rows, QWidget* box);
@@ -50,6 +52,7 @@ class ConfigurationDialog final : public QDialog {
     void show_verdict();
 
     std::unique_ptr<Ui::ConfigurationDialog> ui_;
+    QBoxLayout* columns_ = nullptr;
     const Configuracion original_;
     Configuracion result_;
     std::vector<FieldOf<Configuracion>*> fields_;

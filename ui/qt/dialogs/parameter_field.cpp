@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <cstdlib>
 
 #include "hitos/base/error.hpp"
 #include "look/parameter_text.hpp"
@@ -27,6 +28,20 @@ QString tip_of(const ParameterFacts& facts, const std::string& normal) {
     return tip + "</p>";
 }
 
+/// A long label stands in two lines of about the same length: one that wraps by itself has no
+/// height of its own in a form that scrolls.
+QString in_lines(QString label) {
+    constexpr qsizetype kLong = 25;
+    if (label.size() <= kLong) return label;
+    qsizetype best = -1;
+    for (qsizetype at = label.indexOf(' '); at >= 0; at = label.indexOf(' ', at + 1)) {
+        if (best < 0 || std::abs(2 * at - label.size()) < std::abs(2 * best - label.size()))
+            best = at;
+    }
+    if (best >= 0) label[best] = '\n';
+    return label;
+}
+
 }  // namespace
 
 ParameterField::ParameterField(const ParameterFacts& facts, const std::string& normal,
@@ -34,7 +49,7 @@ ParameterField::ParameterField(const ParameterFacts& facts, const std::string& n
     : QObject(parent), facts_(facts), normal_(QString::fromStdString(normal)) {
     const QString key = to_qt(facts.key);
     const int row = rows->rowCount();
-    label_ = new QLabel(label_of(facts), parent);
+    label_ = new QLabel(in_lines(full_label_of(facts)), parent);
     if (facts.type == ParameterFacts::Type::choice) {
         choice_ = new QComboBox(parent);
         choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -50,8 +65,10 @@ ParameterField::ParameterField(const ParameterFacts& facts, const std::string& n
     }
     editor()->setObjectName("field_" + key);
     label_->setBuddy(editor());
-    unit_ = new QLabel(unit_of(facts), parent);
-    unit_->setProperty("role", "muted");
+    if (choice_ == nullptr) {
+        unit_ = new QLabel(unit_of(facts), parent);
+        unit_->setProperty("role", "muted");
+    }
     error_ = new QLabel(parent);
     error_->setObjectName("error_" + key);
     error_->setProperty("role", "error");
@@ -60,8 +77,8 @@ ParameterField::ParameterField(const ParameterFacts& facts, const std::string& n
     for (QWidget* widget : {static_cast<QWidget*>(label_), editor()})
         widget->setToolTip(tip_of(facts, normal));
     rows->addWidget(label_, row, 0);
-    rows->addWidget(editor(), row, 1);
-    rows->addWidget(unit_, row, 2);
+    rows->addWidget(editor(), row, 1, 1, unit_ == nullptr ? 2 : 1);  // words need the room
+    if (unit_ != nullptr) rows->addWidget(unit_, row, 2);
     rows->addWidget(error_, row + 1, 0, 1, 3);
 }
 
@@ -119,13 +136,19 @@ void ParameterField::set_error(const QString& error) {
     set_look(*editor(), "state", error.isEmpty() ? "good" : "wrong");
 }
 
+/// What stands in its row.
+QList<QWidget*> ParameterField::parts() const {
+    QList<QWidget*> all{label_, editor()};
+    if (unit_ != nullptr) all << unit_;
+    return all;
+}
+
 bool ParameterField::has_error() const {
     return !error_->text().isEmpty();
 }
 
 void ParameterField::set_used(bool used) {
-    for (QWidget* widget : {static_cast<QWidget*>(label_), editor(), static_cast<QWidget*>(unit_)})
-        widget->setEnabled(used);
+    for (QWidget* widget : parts()) widget->setEnabled(used);
     if (used || !has_error()) return;
     if (line_ != nullptr) line_->setText(good_);  // nobody can mend it where it is grey
     set_error({});
@@ -136,8 +159,7 @@ bool ParameterField::is_used() const {
 }
 
 void ParameterField::set_shown(bool shown) {
-    for (QWidget* widget : {static_cast<QWidget*>(label_), editor(), static_cast<QWidget*>(unit_)})
-        widget->setVisible(shown);
+    for (QWidget* widget : parts()) widget->setVisible(shown);
     error_->setVisible(shown && has_error());
 }
 

@@ -1,6 +1,7 @@
 // One parameter in a form: label, editor, unit, and what is wrong with it.
 #pragma once
 
+#include <QList>
 #include <QObject>
 #include <QString>
 #include <optional>
@@ -49,6 +50,7 @@ class ParameterField : public QObject {
   private:
     void mark_changed();
     QWidget* editor() const;
+    QList<QWidget*> parts() const;
     /// As the library reads what is written.
     QString as_read(const QString& written) const;
 
@@ -57,7 +59,7 @@ class ParameterField : public QObject {
     QLabel* label_ = nullptr;
     QComboBox* choice_ = nullptr;
     QLineEdit* line_ = nullptr;
-    QLabel* unit_ = nullptr;
+    QLabel* unit_ = nullptr;  ///< choices have none
     QLabel* error_ = nullptr;
     QString good_;
 };

@@ -59,13 +59,36 @@ QString label_of(const ParameterFacts& parameter) {
     return translated("ParameterLabel", parameter.label);
 }
 
+QString full_label_of(const ParameterFacts& parameter) {
+    struct Named {
+        std::string_view key;
+        const char* words;
+    };
+    static constexpr std::array kNamed{
+        Named{"filter.particles", QT_TRANSLATE_NOOP("FullLabel", "Number of particles")},
+        Named{"features.detect", QT_TRANSLATE_NOOP("FullLabel", "Kind of features")},
+        Named{"association.p0", QT_TRANSLATE_NOOP("FullLabel", "Probability of a new observation")},
+        Named{"split_merge.min_points",
+              QT_TRANSLATE_NOOP("FullLabel", "Least number of points in a line")},
+        Named{"split_merge.dmax", QT_TRANSLATE_NOOP("FullLabel", "Greatest distance to the line")},
+        Named{"split_merge.min_length", QT_TRANSLATE_NOOP("FullLabel", "Least length of a line")},
+        Named{"motion.model", QT_TRANSLATE_NOOP("FullLabel", "Model of the robot")},
+        Named{"resampling.rule", QT_TRANSLATE_NOOP("FullLabel", "Kind of resampler")},
+        Named{"resampling.neff_threshold",
+              QT_TRANSLATE_NOOP("FullLabel", "Number of effective particles")}};
+    const auto named = std::ranges::find(kNamed, parameter.key, &Named::key);
+    if (named == kNamed.end()) return label_of(parameter);
+    const QString words = translated("FullLabel", named->words);
+    return parameter.symbol.empty() ? words : words + " (" + to_qt(parameter.symbol) + ')';
+}
+
 QString description_of(const ParameterFacts& parameter) {
     return translated("Parameter", parameter.description);
 }
 
 QString search_text_of(const ParameterFacts& parameter) {
-    QStringList words{label_of(parameter), to_qt(parameter.key), to_qt(parameter.symbol),
-                      description_of(parameter)};
+    QStringList words{label_of(parameter), full_label_of(parameter), to_qt(parameter.key),
+                      to_qt(parameter.symbol), description_of(parameter)};
     for (std::size_t i = 0; i < parameter.choices.size(); ++i) words << choice_of(parameter, i);
     return words.join(' ');
 }
@@ -97,9 +120,15 @@ QString value_of(const ConfigParameter& parameter, const Configuracion& configur
 }
 
 QString title_of(ParameterGroup group, const Configuracion& configuration) {
+    if (group == ParameterGroup::particle_filter && has_particles(configuration))
+        return translated("ParameterGroup", QT_TRANSLATE_NOOP("ParameterGroup", "Particle filter"));
     const auto facts = std::ranges::find(parameter_groups(), group, &ParameterGroupFacts::group);
-    return facts->title_key.empty() ? translated("ParameterGroup", facts->title)
-                                    : value_of(find_parameter(facts->title_key), configuration);
+    if (facts->title_key.empty()) return translated("ParameterGroup", facts->title);
+    const ConfigParameter& chosen = find_parameter(facts->title_key);
+    const QString words = value_of(chosen, configuration);
+    if (group != ParameterGroup::split_merge || chosen.text(configuration) != "split-merge")
+        return words;
+    return QCoreApplication::translate("ParameterGroup", "%1 algorithm").arg(words);
 }
 
 QString algorithm_of(const Configuracion& configuration) {

@@ -16,6 +16,9 @@ QString translated(const char* context, std::string_view text);
 bool names_source(const ParameterFacts& parameter);
 /// "D max"
 QString label_of(const ParameterFacts& parameter);
+/// In the words of the thesis's form [T 8.2.2.4], which are longer: "Greatest distance to the
+/// line (Dmax)".
+QString full_label_of(const ParameterFacts& parameter);
 /// The sentence of the parameter table, translated.
 QString description_of(const ParameterFacts& parameter);
 /// All that somebody may look for it by, translated: label, key, symbol, description, choices.
@@ -26,7 +29,7 @@ QString plain(const QString& text);
 QString unit_of(const ParameterFacts& parameter);
 /// A word of a choice as the user reads it: "Differential with odometry".
 QString choice_of(const ParameterFacts& parameter, std::size_t place);
-/// The group's title; that of the algorithm and of the line method is what is chosen.
+/// The group's title [T 9.2.6.1]; that of the algorithm and of the line method says what is chosen.
 QString title_of(ParameterGroup group, const Configuracion& configuration);
 /// "EKF-SLAM"
 QString algorithm_of(const Configuracion& configuration);

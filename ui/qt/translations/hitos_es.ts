@@ -33,7 +33,7 @@
     </message>
     <message>
         <source>This is the recording of a robot (%1), and its scans are not registered: with registration maps of buildings come out right.</source>
-        <translation>Esta es la grabación de un robot (%1) y sus barridos no se registran: con el registro de barridos los mapas de edificios salen bien.</translation>
+        <translation>Esta es la grabación de un robot (%1) y sus barridos no se alinean: con la alineación de barridos los mapas de edificios salen bien.</translation>
     </message>
     <message>
         <source>A loop moved the path by %1 at once: until then the poses told while driving were that far off. Look whether walls meet where it closed.</source>
@@ -116,7 +116,7 @@
     </message>
     <message>
         <source>Several are plausible; one was drawn by their likelihoods.</source>
-        <translation>Varios son plausibles; se ha sorteado uno según sus verosimilitudes.</translation>
+        <translation>Varios son plausibles; se ha sorteado uno según sus similitudes.</translation>
     </message>
     <message>
         <source>No landmark fits.</source>
@@ -1256,7 +1256,7 @@
     </message>
     <message>
         <source>likelihood of a new landmark</source>
-        <translation>verosimilitud de un hito nuevo</translation>
+        <translation>similitud de un hito nuevo</translation>
     </message>
     <message>
         <source>collinearity thresholds: rho in m, theta in rad</source>
@@ -1472,11 +1472,11 @@
     </message>
     <message>
         <source>graph-slam needs registration, and the run has none</source>
-        <translation>graph-slam necesita el registro de barridos, y la ejecución no lo tiene</translation>
+        <translation>graph-slam necesita la alineación de barridos, y la ejecución no lo tiene</translation>
     </message>
     <message>
         <source>&quot;registered&quot; needs registration, and this run has none; choose another motion model, or give every step what registration says of it</source>
-        <translation>«registered» necesita el registro de barridos, y esta ejecución no lo tiene; elija otro modelo de movimiento o dé a cada paso lo que el registro dice de él</translation>
+        <translation>«registered» necesita la alineación de barridos, y esta ejecución no lo tiene; elija otro modelo de movimiento o dé a cada paso lo que la alineación dice de él</translation>
     </message>
     <message>
         <source>found &quot;%1&quot; for the world %2, expected auto: it is no log</source>
@@ -2308,7 +2308,7 @@
     </message>
     <message>
         <source>map it with registration, which finds what is left of it: --preset recorded</source>
-        <translation>haga el mapa con registro de barridos, que encuentra lo que quede: --preset recorded</translation>
+        <translation>haga el mapa con alineación de barridos, que encuentra lo que quede: --preset recorded</translation>
     </message>
     <message>
         <source>the odometry&apos;s poses never change although its velocities do; all scans are put on one place</source>
@@ -2879,6 +2879,45 @@
     </message>
 </context>
 <context>
+    <name>FullLabel</name>
+    <message>
+        <source>Number of particles</source>
+        <translation>Número de partículas</translation>
+    </message>
+    <message>
+        <source>Kind of features</source>
+        <translation>Tipo de características</translation>
+    </message>
+    <message>
+        <source>Probability of a new observation</source>
+        <translation>Probabilidad de una nueva observación</translation>
+    </message>
+    <message>
+        <source>Least number of points in a line</source>
+        <translation>Mínimo número de puntos en una recta</translation>
+    </message>
+    <message>
+        <source>Greatest distance to the line</source>
+        <translation>Máxima distancia a la recta</translation>
+    </message>
+    <message>
+        <source>Least length of a line</source>
+        <translation>Mínima longitud de una recta</translation>
+    </message>
+    <message>
+        <source>Model of the robot</source>
+        <translation>Modelo del robot</translation>
+    </message>
+    <message>
+        <source>Kind of resampler</source>
+        <translation>Tipo de remuestreador</translation>
+    </message>
+    <message>
+        <source>Number of effective particles</source>
+        <translation>Número de partículas efectivas</translation>
+    </message>
+</context>
+<context>
     <name>Landmarks</name>
     <message>
         <source>Line %1</source>
@@ -3021,7 +3060,7 @@
     </message>
     <message>
         <source>The scans that registration keeps, and lines between those that a closed loop joins</source>
-        <translation>Los barridos que conserva el registro, y líneas entre los que une un bucle cerrado</translation>
+        <translation>Los barridos que conserva la alineación, y líneas entre los que une un bucle cerrado</translation>
     </message>
     <message>
         <source>The map and the path that this run is compared with</source>
@@ -3067,11 +3106,11 @@
     </message>
     <message>
         <source>Likelihood P0 of a new landmark; a higher value makes new landmarks more readily.</source>
-        <translation>Verosimilitud P0 de un hito nuevo; con un valor mayor se crean hitos con más facilidad.</translation>
+        <translation>Similitud P0 de un hito nuevo; con un valor mayor se crean hitos con más facilidad.</translation>
     </message>
     <message>
         <source>What an observation that fits several landmarks, and is kept out of the map, does to the weight: keep-likelihood multiplies it with the best likelihood, neutral leaves it, new-landmark multiplies it with p0; off updates the best landmark instead.</source>
-        <translation>Qué hace con el peso una observación que encaja con varios hitos y queda fuera del mapa: multiplicarlo por la mejor verosimilitud, dejarlo igual o multiplicarlo por P0 como un hito nuevo; con «No», actualiza el mejor hito.</translation>
+        <translation>Qué hace con el peso una observación que encaja con varios hitos y queda fuera del mapa: multiplicarlo por la mejor similitud, dejarlo igual o multiplicarlo por P0 como un hito nuevo; con «No», actualiza el mejor hito.</translation>
     </message>
     <message>
         <source>Proportional noise: variance along the motion per metre; a higher value trusts the measured distance less.</source>
@@ -3259,7 +3298,7 @@
     </message>
     <message>
         <source>How an observation finds its landmark: ml takes the maximum likelihood, with p0 for a new landmark, and is gnn where an algorithm has no p0; gnn the nearest one inside a chi-square gate; jcbb pairs all observations of a scan together.</source>
-        <translation>Cómo encuentra una observación su hito: ml toma la máxima verosimilitud, con p0 para un hito nuevo, y es gnn donde un algoritmo no tiene p0; gnn, el más cercano dentro de una ventana ji cuadrado; jcbb empareja juntas todas las observaciones de un barrido.</translation>
+        <translation>Cómo encuentra una observación su hito: ml toma la máxima similitud, con p0 para un hito nuevo, y es gnn donde un algoritmo no tiene p0; gnn, el más cercano dentro de una ventana ji cuadrado; jcbb empareja juntas todas las observaciones de un barrido.</translation>
     </message>
     <message>
         <source>Probability of the chi-square gate of gnn and jcbb; a higher value accepts observations that lie further from their landmark.</source>
@@ -3275,7 +3314,7 @@
     </message>
     <message>
         <source>Second best likelihood over the best from which an observation is ambiguous, and from which two new ones of a scan are one landmark; a higher value does both less often.</source>
-        <translation>Segunda mejor verosimilitud respecto a la mejor a partir de la cual una observación es ambigua, y a partir de la cual dos nuevas de un barrido son un solo hito; un valor mayor hace ambas cosas con menos frecuencia.</translation>
+        <translation>Segunda mejor similitud respecto a la mejor a partir de la cual una observación es ambigua, y a partir de la cual dos nuevas de un barrido son un solo hito; un valor mayor hace ambas cosas con menos frecuencia.</translation>
     </message>
     <message>
         <source>Whether the scan is divided at edges and RANSAC finds the lines of each part, or RANSAC has the whole scan and the points of each line are divided at edges.</source>
@@ -3299,7 +3338,7 @@
     </message>
     <message>
         <source>Readings beyond it are not registered; a higher value sees the ends of corridors and halls, which hold the heading.</source>
-        <translation>Las lecturas más lejanas no entran en el registro de barridos; un valor mayor ve los extremos de pasillos y salas, que sujetan la orientación.</translation>
+        <translation>Las lecturas más lejanas no entran en la alineación de barridos; un valor mayor ve los extremos de pasillos y salas, que sujetan la orientación.</translation>
     </message>
     <message>
         <source>Newest key scans that a scan is matched with; half as many of an earlier passage come in addition. More take longer.</source>
@@ -3363,7 +3402,7 @@
     </message>
     <message>
         <source>Whether each particle draws, by their likelihoods, which of several plausible landmarks an ambiguous observation is of, or a new one, so that particles follow different hypotheses; not with jcbb.</source>
-        <translation>Si cada partícula sortea, según las verosimilitudes, de cuál de varios hitos posibles es una observación ambigua, o si es de uno nuevo, para que las partículas sigan hipótesis distintas; no con jcbb.</translation>
+        <translation>Si cada partícula sortea, según las similitudes, de cuál de varios hitos posibles es una observación ambigua, o si es de uno nuevo, para que las partículas sigan hipótesis distintas; no con jcbb.</translation>
     </message>
     <message>
         <source>Whether landmarks go that scans look through: where they should be seen and rays pass through them they lose, where they are found they gain log-odds of existence.</source>
@@ -3391,19 +3430,19 @@
     </message>
     <message>
         <source>Registered path: way after which 1/e of a particle&apos;s deviation from it is left; with a higher value particles keep their deviations longer.</source>
-        <translation>Camino registrado: recorrido tras el cual queda 1/e de la desviación de una partícula respecto a él; con un valor mayor las partículas conservan más tiempo sus desviaciones.</translation>
+        <translation>Camino alineado: recorrido tras el cual queda 1/e de la desviación de una partícula respecto a él; con un valor mayor las partículas conservan más tiempo sus desviaciones.</translation>
     </message>
     <message>
         <source>Registered path: share of the registered step&apos;s covariance in the spread of the particles about the path; a higher value spreads them more where the match is poor.</source>
-        <translation>Camino registrado: parte de la covarianza del paso registrado en la dispersión de las partículas alrededor del camino; un valor mayor las dispersa más donde el emparejamiento es malo.</translation>
+        <translation>Camino alineado: parte de la covarianza del paso alineado en la dispersión de las partículas alrededor del camino; un valor mayor las dispersa más donde el emparejamiento es malo.</translation>
     </message>
     <message>
         <source>Registered path: standard deviation that the particles&apos; positions have about it besides; a higher value spreads them more everywhere.</source>
-        <translation>Camino registrado: desviación típica que tienen además las posiciones de las partículas alrededor de él; un valor mayor las dispersa más en todas partes.</translation>
+        <translation>Camino alineado: desviación típica que tienen además las posiciones de las partículas alrededor de él; un valor mayor las dispersa más en todas partes.</translation>
     </message>
     <message>
         <source>Registered path: standard deviation that the particles&apos; headings have about it besides; a higher value spreads them more everywhere.</source>
-        <translation>Camino registrado: desviación típica que tienen además las orientaciones de las partículas alrededor de él; un valor mayor las dispersa más en todas partes.</translation>
+        <translation>Camino alineado: desviación típica que tienen además las orientaciones de las partículas alrededor de él; un valor mayor las dispersa más en todas partes.</translation>
     </message>
     <message>
         <source>Path of the log or ROS recording to read; empty where none is chosen.</source>
@@ -3662,7 +3701,7 @@
     </message>
     <message>
         <source>Maximum likelihood</source>
-        <translation>Máxima verosimilitud</translation>
+        <translation>Máxima similitud</translation>
     </message>
     <message>
         <source>Gated nearest neighbour</source>
@@ -3670,7 +3709,7 @@
     </message>
     <message>
         <source>Keep the likelihood</source>
-        <translation>Con verosimilitud</translation>
+        <translation>Con similitud</translation>
     </message>
     <message>
         <source>Neutral</source>
@@ -3737,10 +3776,6 @@
         <translation>Sin umbral</translation>
     </message>
     <message>
-        <source>Neff threshold</source>
-        <translation>Umbral Neff</translation>
-    </message>
-    <message>
         <source>Motion model</source>
         <translation>Modelo de movimiento</translation>
     </message>
@@ -3802,7 +3837,7 @@
     </message>
     <message>
         <source>Registered path</source>
-        <translation>Camino registrado</translation>
+        <translation>Camino alineado</translation>
     </message>
     <message>
         <source>Motion and observations</source>
@@ -3872,6 +3907,10 @@
         <source>Rays only</source>
         <translation>Solo los rayos</translation>
     </message>
+    <message>
+        <source>With Neff threshold</source>
+        <translation>Con umbral Neff</translation>
+    </message>
 </context>
 <context>
     <name>ParameterGroup</name>
@@ -3901,7 +3940,15 @@
     </message>
     <message>
         <source>Registration</source>
-        <translation>Registro de barridos</translation>
+        <translation>Alineación de barridos</translation>
+    </message>
+    <message>
+        <source>Particle filter</source>
+        <translation>Filtro de partículas</translation>
+    </message>
+    <message>
+        <source>%1 algorithm</source>
+        <translation>Algoritmo %1</translation>
     </message>
 </context>
 <context>
@@ -4502,11 +4549,11 @@
     </message>
     <message>
         <source>Scans registered with what was seen before, loops closed, FastSLAM about that path: one configuration for every building.</source>
-        <translation>Barridos registrados con lo visto antes, bucles cerrados y FastSLAM alrededor de ese camino: una sola configuración para cualquier edificio.</translation>
+        <translation>Barridos alineados con lo visto antes, bucles cerrados y FastSLAM alrededor de ese camino: una sola configuración para cualquier edificio.</translation>
     </message>
     <message>
         <source>Recorded tours without registration</source>
-        <translation>Recorridos grabados sin registro de barridos</translation>
+        <translation>Recorridos grabados sin alineación de barridos</translation>
     </message>
     <message>
         <source>FastSLAM 1.0 alone on logs of real robots: noise that grows with the motion, gaps that end a line.</source>
@@ -5940,7 +5987,7 @@
     </message>
     <message>
         <source>Select source…</source>
-        <translation>Seleccionar origen…</translation>
+        <translation>Seleccionar Origen…</translation>
     </message>
     <message>
         <source>Choose the log and its type</source>
@@ -5992,7 +6039,7 @@
     </message>
     <message>
         <source>Manual configuration…</source>
-        <translation>Configuración manual…</translation>
+        <translation>Configuración Manual…</translation>
     </message>
     <message>
         <source>Change the parameters</source>
@@ -6000,11 +6047,11 @@
     </message>
     <message>
         <source>Load configuration…</source>
-        <translation>Cargar configuración…</translation>
+        <translation>Cargar Configuración…</translation>
     </message>
     <message>
         <source>Save configuration…</source>
-        <translation>Guardar configuración…</translation>
+        <translation>Guardar Configuración…</translation>
     </message>
     <message>
         <source>Set as default…</source>
@@ -6048,7 +6095,7 @@
     </message>
     <message>
         <source>View odometry</source>
-        <translation>Ver odometría</translation>
+        <translation>Ver Odometría</translation>
     </message>
     <message>
         <source>Grid map from odometry alone (O)</source>
@@ -6056,7 +6103,7 @@
     </message>
     <message>
         <source>Save best particle&apos;s map</source>
-        <translation>Guardar mapa mejor partícula</translation>
+        <translation>Guardar Mapa Mejor Partícula</translation>
     </message>
     <message>
         <source>Write the landmarks to a file (Ctrl+Shift+S)</source>
@@ -6265,10 +6312,6 @@
     <message>
         <source>Compare runs</source>
         <translation>Comparar ejecuciones</translation>
-    </message>
-    <message>
-        <source>Two runs, or a run and its odometry, side by side, overlaid or blinking</source>
-        <translation>Dos ejecuciones, o una y su odometría, lado a lado, superpuestas o alternadas</translation>
     </message>
     <message>
         <source>Open results…</source>
@@ -6485,6 +6528,10 @@
     <message>
         <source>Set as in the study: %1. Undo takes it back</source>
         <translation>Puesto como en el estudio: %1. Deshacer lo quita</translation>
+    </message>
+    <message>
+        <source>Runs, or a run and its odometry, side by side, overlaid or blinking</source>
+        <translation>Ejecuciones, o una ejecución y su odometría, lado a lado, superpuestas o alternadas</translation>
     </message>
 </context>
 <context>
@@ -6829,7 +6876,7 @@
     </message>
     <message>
         <source>Save best particle&apos;s map</source>
-        <translation>Guardar el mapa de la mejor partícula</translation>
+        <translation>Guardar Mapa Mejor Partícula</translation>
     </message>
     <message>
         <source>Maps (*.txt *.map);;Segments (*.seg);;CAD drawings (*.dxf);;All files (*)</source>
@@ -7003,7 +7050,7 @@
     </message>
     <message>
         <source>registration closes a loop</source>
-        <translation>el registro de barridos cierre un bucle</translation>
+        <translation>la alineación de barridos cierre un bucle</translation>
     </message>
     <message>
         <source>another particle becomes the best</source>
@@ -7111,8 +7158,8 @@
         <translation>No se han abierto los resultados</translation>
     </message>
     <message>
-        <source>Side by side, one over the other, or blinking; of more than two the errors</source>
-        <translation>Lado a lado, superpuestas o alternadas; de más de dos, los errores</translation>
+        <source>Side by side, one over the other, or blinking; of up to six the errors</source>
+        <translation>Lado a lado, superpuestas o alternadas; de hasta seis, los errores</translation>
     </message>
 </context>
 <context>
@@ -7246,7 +7293,7 @@
     </message>
     <message>
         <source>Select source</source>
-        <translation>Seleccionar origen</translation>
+        <translation>Selección de origen</translation>
     </message>
     <message>
         <source>The recording has several lasers or odometries: write above which ones to use, or tick them below.</source>
