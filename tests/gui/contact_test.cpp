@@ -341,41 +341,56 @@ void ContactTest::the_configuration_can_be_undone_and_redone() {
     f.session.set_configuration(Fixture::tour(20));
     QVERIFY(f.window->configuration_actions().open(
         Fixture::source_file("data/logs/carmen-flaser.log.gz")));
-    QVERIFY2(f.action("action_undo")->text().startsWith("Undo: bigloop.log.gz"),
+    QVERIFY2(f.action("action_undo")->text().startsWith("Undo, back to: bigloop.log.gz"),
              qPrintable(f.action("action_undo")->text()));
     f.trigger("action_undo");
     QVERIFY(f.session.configuration().source.file.ends_with("bigloop.log.gz"));
-    QVERIFY2(f.notice().startsWith("Undone: bigloop.log.gz"), qPrintable(f.notice()));
-    QCOMPARE(f.action("action_undo")->text(), QString("Undo: Particles 10"));
+    QVERIFY2(f.notice().startsWith("Undone, now: bigloop.log.gz"), qPrintable(f.notice()));
+    QCOMPARE(f.action("action_undo")->text(), QString("Undo, back to: Particles 10"));
     f.trigger("action_undo");
     QCOMPARE(particles(), 10);
-    QCOMPARE(f.notice(), QString("Undone: Particles 10"));
+    QCOMPARE(f.notice(), QString("Undone, now: Particles 10"));
     QVERIFY(!f.action("action_undo")->isEnabled());
     QCOMPARE(f.action("action_undo")->text(), QString("Undo"));
     f.trigger("action_redo");
     QCOMPARE(particles(), 20);
-    QCOMPARE(f.notice(), QString("Redone: Particles 20"));
+    QCOMPARE(f.notice(), QString("Redone, now: Particles 20"));
     // A preset changes much; what no run makes use of changes nothing that one would see.
-    f.window->configuration_actions().use_preset("ekf", true);
+    f.window->configuration_actions().use_preset("recorded", true);
     f.trigger("action_undo");
-    QVERIFY2(QRegularExpression("^Undone: .*, .*, .* and \\d+ more$").match(f.notice()).hasMatch(),
-             qPrintable(f.notice()));
+    QVERIFY2(
+        QRegularExpression("^Undone, now: .*, .*, .* and \\d+ more$").match(f.notice()).hasMatch(),
+        qPrintable(f.notice()));
     Configuracion threads = Fixture::tour(20);
     threads.run.threads = 3;
     f.session.set_configuration(threads);
     f.trigger("action_undo");
-    QVERIFY2(f.notice().startsWith("Undone: Threads "), qPrintable(f.notice()));
+    QVERIFY2(f.notice().startsWith("Undone, now: Threads "), qPrintable(f.notice()));
     Configuracion unused = Fixture::tour(20);
     unused.filter.association.gate_probability = 0.9;  // of other methods than this one's
     f.session.set_configuration(unused);
     f.trigger("action_undo");
-    QCOMPARE(f.notice(), QString("Undone: nothing that this run makes use of"));
+    QCOMPARE(f.notice(), QString("Undone, now: nothing that this run makes use of"));
+    // The same values once more are no change.
+    const QString before = f.action("action_undo")->text();
+    f.session.set_configuration(f.session.configuration());
+    QCOMPARE(f.action("action_undo")->text(), before);
+    // References belong to a log: what goes with another is told, forwards and back.
+    References references;
+    references.map = LandmarkMap{};
+    f.session.set_references(references);
+    QVERIFY(f.window->configuration_actions().open(
+        Fixture::source_file("data/logs/carmen-flaser.log.gz")));
+    QVERIFY2(f.notice().contains("references"), qPrintable(f.notice()));
+    f.session.set_references(references);
+    f.trigger("action_undo");
+    QVERIFY2(f.notice().contains("references"), qPrintable(f.notice()));
     // Of two logs of one name the folder tells which.
     QDir(f.folder.path()).mkpath("b");
     QVERIFY(QFile::copy(Fixture::source_file("data/bigloop.log.gz"), f.path("b/bigloop.log.gz")));
     QVERIFY(f.window->configuration_actions().open(f.path("b/bigloop.log.gz")));
     f.trigger("action_undo");
-    QVERIFY2(f.notice().startsWith("Undone: data/bigloop.log.gz"), qPrintable(f.notice()));
+    QVERIFY2(f.notice().startsWith("Undone, now: data/bigloop.log.gz"), qPrintable(f.notice()));
     f.session.set_configuration(Fixture::tour(30));
     QVERIFY(!f.action("action_redo")->isEnabled());  // another way was taken
     f.trigger("action_undo");

@@ -1,7 +1,9 @@
 // Runs the test class that the first argument names.
 
 #include <QApplication>
+#include <QSettings>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 
 #include "app/application.hpp"
 #include "gui_fixture.hpp"
@@ -36,6 +38,8 @@ int main(int argc, char** argv) {
         qputenv("QTEST_FUNCTION_TIMEOUT", QByteArray::number(4 * kPatienceMs + 1000 * seconds));
     }
     QStandardPaths::setTestModeEnabled(true);
+    const QTemporaryDir settings;  // what Qt's dialogs keep is the user's own
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
     QApplication application(argc, argv);
     prepare_application();
     speak(application, "en");

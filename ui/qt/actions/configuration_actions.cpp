@@ -215,6 +215,7 @@ bool ConfigurationActions::choose_source(Configuracion next, bool confirmed,
         if (!(confirmed || guard_.may_discard())) continue;
         const TourSummary summary = dialog.summary().value_or(SourceInspection{}).tour;
         if (dialog.summary()) emit inspected(next.source, summary);
+        const bool had = has_references();
         if (!use(next)) continue;
         if (!words.isEmpty()) own_.push_back(next);
         const QString file = QString::fromStdString(next.source.file);
@@ -224,7 +225,7 @@ bool ConfigurationActions::choose_source(Configuracion next, bool confirmed,
             tr("Source loaded: %1, %2")
                 .arg(QFileInfo(file).fileName(),
                      counted_words(summary.report.scans, tr("1 scan"), tr("%1 scans")));
-        emit notice(sentences({loaded, words}));
+        emit notice(sentences({loaded, words, lost_words(had)}));
         return true;
     }
     return false;
@@ -256,8 +257,20 @@ QString ConfigurationActions::suit(Configuracion& next, const std::string& file)
     }
 }
 
+bool ConfigurationActions::has_references() const {
+    const References& references = session_.user_references();
+    return references.map || references.trajectory;
+}
+
+/// Another log takes its references away.
+QString ConfigurationActions::lost_words(bool had) const {
+    return had && !has_references() ? tr("The references, of the former log, are removed")
+                                    : QString();
+}
+
 bool ConfigurationActions::use_log(const QString& path) {
     if (!guard_.may_discard()) return false;
+    const bool had = has_references();
     Configuracion next = session_.configuration();
     const QString suited = suit(next, path.toStdString());
     next.source.file = path.toStdString();
@@ -276,8 +289,8 @@ bool ConfigurationActions::use_log(const QString& path) {
     files_.note_recent(path);
     const QString otherwise =
         former == next.source.read ? QString() : tr("How the former one was read is not applied");
-    emit notice(
-        sentences({tr("Source loaded: %1").arg(QFileInfo(path).fileName()), suited, otherwise}));
+    emit notice(sentences({tr("Source loaded: %1").arg(QFileInfo(path).fileName()), suited,
+                           otherwise, lost_words(had)}));
     return true;
 }
 
@@ -386,21 +399,24 @@ void ConfigurationActions::save_as(const QString& start, const QString& title) {
 /// Keeps the configuration that was, unless there was no log to run it on.
 void ConfigurationActions::note_change() {
     constexpr std::size_t kMost = 50;
-    if (!in_history_ && !now_.source.file.empty()) {
+    const Configuracion& next = session_.configuration();
+    const bool same = now_.source.file == next.source.file &&
+                      ArchivoConfiguracion::to_text(now_) == ArchivoConfiguracion::to_text(next);
+    if (!in_history_ && !now_.source.file.empty() && !same) {
         before_.push_back(now_);
         if (before_.size() > kMost) before_.erase(before_.begin());
         after_.clear();
     }
-    now_ = session_.configuration();
+    now_ = next;
     emit history_changed();
 }
 
 void ConfigurationActions::undo() {
-    go_to(before_, after_, tr("Undone: %1"));
+    go_to(before_, after_, tr("Undone, now: %1"));
 }
 
 void ConfigurationActions::redo() {
-    go_to(after_, before_, tr("Redone: %1"));
+    go_to(after_, before_, tr("Redone, now: %1"));
 }
 
 QString ConfigurationActions::undo_words() const {
@@ -415,6 +431,7 @@ void ConfigurationActions::go_to(std::vector<Configuracion>& there,
                                  std::vector<Configuracion>& back, const QString& words) {
     if (there.empty() || !guard_.may_discard()) return;
     const Configuracion from = now_;
+    const bool had = has_references();
     in_history_ = true;
     const bool done = use(there.back());
     in_history_ = false;
@@ -422,7 +439,7 @@ void ConfigurationActions::go_to(std::vector<Configuracion>& there,
     there.pop_back();
     back.push_back(from);
     emit history_changed();
-    emit notice(words.arg(change_words(now_, from)));
+    emit notice(sentences({words.arg(change_words(now_, from)), lost_words(had)}));
 }
 
 void ConfigurationActions::configure() {

@@ -78,6 +78,8 @@ class ConfigurationActions final : public QObject {
     void save_as(const QString& start, const QString& title);
     bool load_file(const QString& path, bool confirmed);
     bool use_log(const QString& path);
+    bool has_references() const;
+    QString lost_words(bool had) const;
     bool is_own(const Configuracion& configuration) const;
     QString suit(Configuracion& next, const std::string& file) const;
     bool choose_source(Configuracion next, bool confirmed, const QString& suited = {});

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QHBoxLayout>
+#include <QPointer>
 #include <QToolButton>
 
 #include "hitos/simulation/drive/simulated_tour.hpp"
@@ -149,6 +150,7 @@ void RunControls::show_progress(const Progress& progress, bool has_source) {
     const bool over = progress.state == State::finished || progress.state == State::failed;
     const bool running = progress.state == State::running;
     const bool begun = progress.steps > 0;
+    const QPointer<QWidget> focused(QApplication::focusWidget());
     pass_focus(running, has_source && !over);
     actions_.run->setEnabled(has_source && !over && !running);
     actions_.step->setEnabled(has_source && !over && !running);
@@ -158,6 +160,13 @@ void RunControls::show_progress(const Progress& progress, bool has_source) {
     actions_.save_map->setEnabled(begun);
     actions_.odometry->setEnabled(has_source);
     time_line_->setEnabled(has_source && progress.state != State::failed);
+    // The keyboard stays here, and Space means the run, where its button has gone grey.
+    if (focused && focused->parentWidget() == this && !focused->isEnabled()) {
+        if (run_->isEnabled())
+            run_->setFocus();
+        else
+            time_line_->setFocus();
+    }
     if (!running) time_line_->arrive();
     const auto scan = static_cast<int>(progress.steps);
     time_line_->show_run(scan, static_cast<int>(total_.value_or(figures_taken_)));

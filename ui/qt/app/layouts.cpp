@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QSettings>
+#include <cmath>
 #include <utility>
 
 #include "look/prompts.hpp"
@@ -83,6 +84,11 @@ void Layouts::within(const QString& group, const std::function<void()>& use) {
 void Layouts::present(bool on) {
     if (!on) {
         qApp->setStyleSheet(qApp->styleSheet().remove(letters_));
+        // What was hidden meanwhile, or has its letters from elsewhere, keeps the large ones.
+        const double large = QApplication::font().pointSizeF() * kLarger;
+        for (QWidget* widget : QApplication::allWidgets()) {
+            if (std::abs(widget->font().pointSizeF() - large) < 0.01) widget->setFont(QFont());
+        }
         switches_.alone->setChecked(false);
         within(kBefore, means_.restore);
         settings_.remove(kBefore);

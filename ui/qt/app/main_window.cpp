@@ -156,13 +156,13 @@ void MainWindow::connect_configuration() {
     connect(ui_->action_undo, &QAction::triggered, configuration_, &ConfigurationActions::undo);
     connect(ui_->action_redo, &QAction::triggered, configuration_, &ConfigurationActions::redo);
     const auto enable_history = [this] {
-        const auto offer = [](QAction& action, const QString& name, const QString& words) {
+        const auto offer = [](QAction& action, const QString& name, const QString& to,
+                              const QString& words) {
             action.setEnabled(!words.isEmpty());
-            action.setText(words.isEmpty() ? name
-                                           : name + ": " + QString(words).replace('&', "&&"));
+            action.setText(words.isEmpty() ? name : to.arg(QString(words).replace('&', "&&")));
         };
-        offer(*ui_->action_undo, tr("Undo"), configuration_->undo_words());
-        offer(*ui_->action_redo, tr("Redo"), configuration_->redo_words());
+        offer(*ui_->action_undo, tr("Undo"), tr("Undo, back to: %1"), configuration_->undo_words());
+        offer(*ui_->action_redo, tr("Redo"), tr("Redo, on to: %1"), configuration_->redo_words());
     };
     connect(configuration_, &ConfigurationActions::history_changed, this, enable_history);
     enable_history();
@@ -370,6 +370,12 @@ void MainWindow::show_configuration() {
     ui_->summary->set_configuration(configuration);
     const QString file = QFileInfo(QString::fromStdString(configuration.source.file)).fileName();
     setWindowTitle(file.isEmpty() ? QStringLiteral("Hitos") : file + " – Hitos");
+    // The place that was looked at is of another tour.
+    if (std::exchange(file_in_views_, configuration.source.file) != configuration.source.file) {
+        for (CanvasView* view :
+             {static_cast<CanvasView*>(ui_->scan_view), static_cast<CanvasView*>(ui_->grid_view)})
+            if (!view->follows()) view->fit();
+    }
     name_what_runs();
 }
 

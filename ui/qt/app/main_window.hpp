@@ -125,6 +125,7 @@ class MainWindow final : public QMainWindow {
     MeasurementTable* measurement_table_ = nullptr;
     StudyDialog* study_ = nullptr;
     WorldWindow* world_ = nullptr;
+    std::string file_in_views_;  ///< the log whose tour they show
     bool close_when_written_ = false;
     bool grid_waits_ = false;  ///< for the other view to be painted
 };

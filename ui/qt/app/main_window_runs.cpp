@@ -9,6 +9,8 @@
 #include "actions/result_actions.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/results/kept_run.hpp"
+#include "look/screen_fit.hpp"
 #include "main_window.hpp"
 #include "runs/compare_window.hpp"
 #include "runs/run_keeper.hpp"
@@ -83,12 +85,17 @@ void MainWindow::connect_runs() {
 StudyDialog& MainWindow::open_study() {
     if (study_ == nullptr) {
         study_ = new StudyDialog(session_, files_, prompts_, this);
+        place_beside_parent(*study_, kBeside);
         connect(study_, &StudyDialog::run_wanted, configuration_,
                 &ConfigurationActions::look_at_run);
         connect(study_, &StudyDialog::values_wanted, configuration_,
                 [this](const Configuracion& configuration, const QString& values) {
+                    const Configuracion before = session_.configuration();
                     if (!configuration_->use_again(configuration)) return;
-                    status_->notice(tr("Set as in the study: %1. Undo takes it back").arg(values));
+                    const bool new_ones = !differences(session_.configuration(), before).empty();
+                    status_->notice((new_ones ? tr("Set as in the study: %1. Undo takes it back")
+                                              : tr("As in the study already: %1"))
+                                        .arg(values));
                 });
         const auto come_forward = [this] {
             raise();

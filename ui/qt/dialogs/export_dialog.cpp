@@ -238,6 +238,8 @@ Picture ExportDialog::picture() const {
 void ExportDialog::refresh() {
     const bool mm = in_mm();
     unit_->setEnabled(!of_shapes() && !offer().for_print);
+    unit_->setItemText(
+        0, mm && !unit_->isEnabled() ? unit_->itemText(1) : tr("Pixels, as on the screen"));
     width_pixels_->setEnabled(!mm);
     width_mm_->setEnabled(mm);
     letters_->setEnabled(mm && !offer().for_print && !offer().plain);
@@ -302,17 +304,17 @@ QString export_figure(UserFiles& files, Prompts& prompts, QWidget* parent, const
     ExportDialog dialog(what, files.settings(), parent);
     if (dialog.exec() != QDialog::Accepted) return {};
     const QString format = dialog.format();
-    QString path =
-        save_until_done(prompts, parent,
-                        {dialog.windowTitle(), files.place_to_save(what.name + '.' + format),
-                         picture_filter(), format},
-                        [&](const QString& target) {
-                            if (target.endsWith('.' + format, Qt::CaseInsensitive)) {
-                                write_bytes(dialog.bytes(), target);
-                            } else {  // its typed ending says another kind
-                                write_picture(dialog.picture(), target);
-                            }
-                        });
+    QString path = save_until_done(
+        prompts, parent,
+        {dialog.windowTitle(), files.place_to_save(what.name + '.' + format),
+         QString("%1 (*.%2);;%3").arg(format.toUpper(), format, picture_filter()), format},
+        [&](const QString& target) {
+            if (target.endsWith('.' + format, Qt::CaseInsensitive)) {
+                write_bytes(dialog.bytes(), target);
+            } else {  // its typed ending says another kind
+                write_picture(dialog.picture(), target);
+            }
+        });
     if (!path.isEmpty()) files.note_saved("picture", path);
     return path;
 }

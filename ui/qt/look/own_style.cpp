@@ -1,8 +1,11 @@
 #include "own_style.hpp"
 
+#include <QPainter>
+#include <QStyleOption>
 #include <optional>
 
 #include "icons.hpp"
+#include "theme.hpp"
 
 namespace hitos::window {
 namespace {
@@ -70,7 +73,25 @@ int OwnStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidge
                         QStyleHintReturn* answer) const {
     // Some desktops would put pictures into the buttons of dialogs, and none into Hitos's own.
     if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
+    if (hint == SH_EtchDisabledText)
+        return 0;  // which in the dark is brighter than what is enabled
     return QProxyStyle::styleHint(hint, option, widget, answer);
+}
+
+void OwnStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
+                             QPainter* painter, const QWidget* widget) const {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    const bool dark = colours().window.lightness() < colours().text.lightness();
+    const bool box = element == PE_IndicatorCheckBox || element == PE_FrameLineEdit;
+    if (!dark || !box || option->state.testFlag(State_HasFocus)) return;
+    // Fusion's outline is a darker window: in the dark none that can be seen.
+    constexpr double kRadius = 2.0;
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(colours().muted);
+    painter->drawRoundedRect(QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5), kRadius, kRadius);
+    painter->restore();
 }
 
 }  // namespace hitos::window

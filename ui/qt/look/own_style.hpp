@@ -15,6 +15,8 @@ class OwnStyle final : public QProxyStyle {
                        const QWidget* widget) const override;
     QPixmap standardPixmap(StandardPixmap which, const QStyleOption* option,
                            const QWidget* widget) const override;
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override;
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                   QStyleHintReturn* answer) const override;
 };

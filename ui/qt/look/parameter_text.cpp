@@ -34,6 +34,7 @@ QString shown_unit(std::string_view unit) {
 QStringList differing(const Configuracion& configuration, const Configuracion& base) {
     QStringList words;
     for (const ConfigParameter* parameter : differences(configuration, base)) {
+        if (!parameter->used_by(configuration)) continue;  // it says nothing of this one
         words << label_of(*parameter) + ' ' + value_with_unit(*parameter, configuration);
     }
     return words;

@@ -1,15 +1,21 @@
 #include "prompts.hpp"
 
+#include <QAbstractFileIconProvider>
 #include <QCoreApplication>
 #include <QFileDialog>
+#include <QHeaderView>
 #include <QInputDialog>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QSplitter>
 #include <QStringList>
+#include <QTreeView>
 #include <QUrl>
 
+#include "icons.hpp"
+#include "screen_fit.hpp"
 #include "user_files.hpp"
 
 namespace hitos::window {
@@ -27,6 +33,40 @@ QStringList endings_of(const QString& filter) {
         endings.push_back(match.next().captured(1));
     }
     return endings;
+}
+
+/// Looks at names alone: Qt's own opens files to tell their kind, which in some folders never ends.
+class FilesByName final : public QAbstractFileIconProvider {
+  public:
+    QIcon icon(IconType type) const override {
+        return hitos::window::icon(type == File       ? Glyph::file
+                                   : type == Computer ? Glyph::computer
+                                                      : Glyph::open);
+    }
+    QIcon icon(const QFileInfo& info) const override { return icon(info.isDir() ? Folder : File); }
+    QString type(const QFileInfo& info) const override {
+        return info.isDir() ? prompt(QT_TRANSLATE_NOOP("Prompts", "Folder"))
+                            : info.suffix().toUpper();
+    }
+};
+
+/// What all file dialogs have in common, where the desktop has none of its own.
+void set_up(QFileDialog& dialog) {
+    static FilesByName by_name;
+    constexpr QSize kWide(860, 520);
+    dialog.setIconProvider(&by_name);
+    if (auto* list = dialog.findChild<QTreeView*>("treeView")) {
+        list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+        list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+        if (auto* halves = dialog.findChild<QSplitter*>("splitter"))
+            halves->setSizes({kWide.width() / 5, kWide.width()});  // names of places are whole
+        dialog.resize(dialog.size().expandedTo(kWide));
+        fit_to_screen(dialog);
+    }
+}
+
+QString answer_of(QFileDialog& dialog) {
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
 /// Asks for the name of a folder to write: that of one that is there is taken too, where the usual
@@ -83,29 +123,40 @@ QString QtPrompts::open_file(QWidget* parent, const FileQuestion& question) {
         places.removeIf([&shipped](const QUrl& place) { return shipped.contains(place); });
         return places;
     };
+    set_up(dialog);
     dialog.setSidebarUrls(of_the_user() + shipped);
-    const bool accepted = dialog.exec() == QDialog::Accepted;
+    const QString named = answer_of(dialog);
     dialog.setSidebarUrls(of_the_user());
-    return accepted ? dialog.selectedFiles().value(0) : QString();
+    return named;
 }
 
 QString QtPrompts::save_file(QWidget* parent, const FileQuestion& question) {
     if (question.folder) {
         FolderNameDialog dialog(parent, question.title, QFileInfo(question.start).absolutePath());
         dialog.selectFile(QFileInfo(question.start).fileName());
-        return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+        set_up(dialog);
+        return answer_of(dialog);
     }
-    QString filter;
+    const QFileInfo start(question.start);
+    QFileDialog dialog(parent, question.title, start.absolutePath(), question.filters);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setFileMode(QFileDialog::AnyFile);
     // Whether a file may be replaced is asked by the caller, the same way everywhere.
-    const QString path =
-        QFileDialog::getSaveFileName(parent, question.title, question.start, question.filters,
-                                     &filter, QFileDialog::DontConfirmOverwrite);
+    dialog.setOption(QFileDialog::DontConfirmOverwrite);
+    dialog.selectFile(start.fileName());
+    set_up(dialog);
+    const QString path = answer_of(dialog);
+    const QString filter = dialog.selectedNameFilter();
     if (question.chosen != nullptr) *question.chosen = filter;
     return path.isEmpty() ? path : with_ending(path, filter, question.suffix);
 }
 
 QString QtPrompts::choose_folder(QWidget* parent, const QString& title, const QString& start) {
-    return QFileDialog::getExistingDirectory(parent, title, start);
+    QFileDialog dialog(parent, title, start);
+    dialog.setFileMode(QFileDialog::Directory);
+    dialog.setOption(QFileDialog::ShowDirsOnly);
+    set_up(dialog);
+    return answer_of(dialog);
 }
 
 bool QtPrompts::confirm(QWidget* parent, const Question& question) {

@@ -15,6 +15,9 @@ void fit_to_screen(QWidget& window);
 /// Puts a window that was placed somewhere else once wholly on the screen that it opens on.
 void keep_on_screen(QWidget& window);
 
+/// Of a window over the one that opens it.
+constexpr QPoint kBeside(40, 40);
+
 /// Shrinks it likewise, and places it at an offset from its parent, as far as the screen goes.
 void place_beside_parent(QWidget& window, QPoint offset);
 

@@ -74,6 +74,8 @@ CompareWindow::CompareWindow(RunList& list, const ViewSettings& settings, QWidge
         list_.present_rests() || since_measured_.elapsed() > wait_ms ? measure(Of::present)
                                                                      : paint_sides();
     });
+    constexpr int kLeastWidth = 720;  // the words of a side in two lines at the most
+    setMinimumWidth(kLeastWidth);
     resize(kCompareSize);
     fit_to_screen(*this);
     fill_boxes();
@@ -88,6 +90,7 @@ QWidget* CompareWindow::make_tools() {
     for (std::size_t i = 0; i < modes_.size(); ++i) {
         modes_[i] = new QToolButton(tools);
         modes_[i]->setText(words[i]);
+        modes_[i]->setProperty("role", "view");
         modes_[i]->setCheckable(true);
         group->addButton(modes_[i], static_cast<int>(i));
         row->addWidget(modes_[i]);
@@ -99,6 +102,7 @@ QWidget* CompareWindow::make_tools() {
     figures_->setObjectName("compare_figures_shown");
     figures_->setText(tr("Figures"));
     figures_->setToolTip(tr("How far all are from the reference trajectory"));
+    figures_->setProperty("role", "view");
     figures_->setCheckable(true);
     connect(figures_, &QToolButton::toggled, this, [this](bool on) {
         strip_->setVisible(on);
@@ -107,7 +111,7 @@ QWidget* CompareWindow::make_tools() {
     });
     row->addWidget(figures_);
     row->addStretch(1);
-    auto* picture = new QPushButton(tr("Save image…"), tools);
+    auto* picture = new QPushButton(tr("Save as image…"), tools);
     connect(picture, &QPushButton::clicked, this,
             [this] { emit picture_wanted(sides_.front().view->exportable()); });
     row->addWidget(picture);
@@ -149,6 +153,8 @@ void CompareWindow::fill_boxes() {
     const QScopedValueRollback filling(filling_, true);
     const std::vector<ListedRun> runs = list_.runs();
     const Configuracion base = runs.empty() ? Configuracion{} : runs.front().run->configuration;
+    for (Compared& other : others_) other.run = run_of(other.choice);
+    std::erase_if(others_, [](const Compared& other) { return !other.run; });
     for (Side& side : sides_) {
         side.box->clear();
         for (const ListedRun& listed : runs) {
@@ -165,14 +171,15 @@ void CompareWindow::fill_boxes() {
         side.box->setCurrentIndex(std::max(place, 0));
         if (place < 0) {
             const QPoint first = side.box->currentData().toPoint();
-            side.choice = {first.x(), first.y() == 1};
+            side.choice =
+                others_.empty() ? Choice{first.x(), first.y() == 1} : others_.front().choice;
             side.run = nullptr;
             std::erase_if(others_, [&side](const Compared& o) { return o.choice == side.choice; });
+            side.box->setCurrentIndex(
+                side.box->findData(QPoint(side.choice.number, side.choice.odometry ? 1 : 0)));
         }
         take(side);
     }
-    for (Compared& other : others_) other.run = run_of(other.choice);
-    std::erase_if(others_, [](const Compared& other) { return !other.run; });
     measure();
 }
 
@@ -292,6 +299,20 @@ std::vector<const CompareWindow::Compared*> CompareWindow::compared() const {
     return all;
 }
 
+/// The run's own, as in the list; where two have the same, another one for the later.
+QColor CompareWindow::colour_at(std::size_t place) const {
+    std::vector<QColor> taken;
+    const std::vector<const Compared*> all = compared();
+    for (std::size_t i = 0; i <= place; ++i) {
+        QColor colour = all[i]->choice.odometry ? light_colours().odometry
+                                                : colour_of({all[i]->choice.number, nullptr});
+        for (int next = 0; std::ranges::find(taken, colour) != taken.end(); ++next)
+            colour = colour_of({next, nullptr});
+        taken.push_back(colour);
+    }
+    return taken.back();
+}
+
 PathFigures CompareWindow::figures_of(const Compared& of) const {
     const Trajectory* reference =
         figures_->isChecked() && of.run ? list_.reference_of(*of.run) : nullptr;
@@ -311,7 +332,8 @@ void CompareWindow::measure(Of which) {
     }
     std::vector<ErrorStrip::Side> shown;
     for (const Compared* of : compared())
-        shown.push_back({title_of(of->choice), of->figures, problem_of(*of)});
+        shown.push_back(
+            {title_of(of->choice), colour_at(shown.size()), of->figures, problem_of(*of)});
     strip_->show_sides(std::move(shown));
     measuring_ms_ = since_measured_.elapsed();
     paint_sides();
@@ -321,7 +343,7 @@ void CompareWindow::measure(Of which) {
 RunTrace CompareWindow::trace_of(std::size_t place, bool landmarks) const {
     const std::vector<const Compared*> all = compared();
     const Compared& of = *all[place];
-    RunTrace trace{title_of(of.choice), side_colour(place, light_colours()), points_of(of.path()),
+    RunTrace trace{title_of(of.choice), colour_at(place), points_of(of.path()),
                    landmarks ? MarkedMap{of.run->map, of.run->line_extents} : MarkedMap{}};
     if (of.figures.errors.empty()) return trace;
     trace.errors_m.assign(trace.path.size(), std::numeric_limits<double>::quiet_NaN());

@@ -81,6 +81,7 @@ class CompareWindow final : public QDialog {
     void refresh_grid(Side& side);
     void paint_sides();
     std::vector<const Compared*> compared() const;
+    QColor colour_at(std::size_t place) const;
     std::shared_ptr<const KeptRun> run_of(const Choice& choice) const;
     enum class Of { all, present };
     void measure(Of which = Of::all);

@@ -11,7 +11,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -29,7 +28,7 @@ QString words_of_side(const ErrorStrip::Side& side) {
     const auto& [absolute, relative, errors, begin] = side.figures;
     if (!absolute) return side.name + ": " + side.problem;
     QString words =
-        ErrorStrip::tr("%1: ATE %2 (RMSE), mean %3, greatest %4; heading %5 (RMSE)")
+        ErrorStrip::tr("%1: ATE %2 (RMSE, aligned), mean %3, greatest %4; heading %5 (RMSE)")
             .arg(side.name, metre_words(absolute->rmse_m), metre_words(absolute->mean_m),
                  metre_words(absolute->maximum_m), degree_words(absolute->heading_rmse_rad));
     if (relative) {
@@ -60,12 +59,6 @@ PathFigures path_figures(const Trajectory& path, const Trajectory& reference, bo
     return figures;
 }
 
-QColor side_colour(std::size_t side, const Colours& colours) {
-    // Light blue first: neither the red of the path nor the blue of landmarks.
-    constexpr std::array<int, kMostCompared - 1> kOthers{5, 2, 4, 3, 6};
-    return side == 0 ? colours.path : colour_of({kOthers.at(side - 1), nullptr});
-}
-
 ErrorStrip::ErrorStrip(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
     setObjectName("compare_figures");
     auto* column = new QVBoxLayout(this);
@@ -74,12 +67,11 @@ ErrorStrip::ErrorStrip(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
     column->addWidget(make_tools());
     make_plot();
     column->addWidget(plot_);
-    make_curves(2);
+    make_curves(0);
 }
 
 /// A curve and a line of words for each.
 void ErrorStrip::make_curves(std::size_t count) {
-    if (curves_.size() == count) return;
     auto* legend = qobject_cast<QCPLegend*>(rect_->insetLayout()->elementAt(0));
     while (curves_.size() > count) {
         plot_->removeGraph(curves_.back());  // with its entry of the legend
@@ -96,6 +88,7 @@ void ErrorStrip::make_curves(std::size_t count) {
         words->setObjectName(QString("figures_%1").arg(words_.size()));
         words->setTextFormat(Qt::PlainText);
         words->setWordWrap(true);
+        words->setMinimumHeight(fontMetrics().lineSpacing());
         layout()->addWidget(words);
         words_.push_back(words);
     }
@@ -195,8 +188,8 @@ void ErrorStrip::style(const Colours& c) {
     const QFont small = plot_font(font());
     plot_->setBackground(c.card);
     style_plot(*rect_, *title_of(*plot_, 0, 0), c, small);
-    for (std::size_t side = 0; side < curves_.size(); ++side)
-        curves_[side]->setPen(QPen(side_colour(side, c), kLine));
+    for (std::size_t side = 0; side < sides_.size(); ++side)
+        curves_[side]->setPen(QPen(sides_[side].colour, kLine));
     auto* legend = qobject_cast<QCPLegend*>(rect_->insetLayout()->elementAt(0));
     legend->setBorderPen(Qt::NoPen);
     legend->setBrush(c.chip);

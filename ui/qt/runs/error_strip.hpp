@@ -22,7 +22,7 @@ class QLabel;
 
 namespace hitos::window {
 
-/// As many as colours tell apart, and as lines of words leave the views their room.
+/// As many as colours tell apart and as lines of words leave the views their room.
 constexpr std::size_t kMostCompared = 6;
 
 /// A path against the reference of its log.
@@ -45,6 +45,7 @@ class ErrorStrip final : public QWidget {
 
     struct Side {
         QString name;
+        QColor colour;
         PathFigures figures;
         QString problem = {};  ///< why there are no figures
     };
@@ -79,8 +80,5 @@ class ErrorStrip final : public QWidget {
     std::vector<QCPGraph*> curves_;
     std::vector<QLabel*> words_;
 };
-
-/// Of a side's path, wherever it is drawn.
-QColor side_colour(std::size_t side, const Colours& colours);
 
 }  // namespace hitos::window

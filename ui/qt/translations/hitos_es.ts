@@ -1884,11 +1884,11 @@
     </message>
     <message>
         <source>found &quot;%1&quot;, which is no file of a run that can be asked for; there are %2</source>
-        <translation>se encontró «%1», que no es ningún fichero de una ejecución que se pueda pedir; hay %2</translation>
+        <translation>se encontró «%1», que no es ningún archivo de una ejecución que se pueda pedir; hay %2</translation>
     </message>
     <message>
         <source>found &quot;%1&quot;, which is no file of a run that can be asked for; did you mean %2? There are %3</source>
-        <translation>se encontró «%1», que no es ningún fichero de una ejecución que se pueda pedir; ¿quería decir %2? Hay %3</translation>
+        <translation>se encontró «%1», que no es ningún archivo de una ejecución que se pueda pedir; ¿quería decir %2? Hay %3</translation>
     </message>
     <message>
         <source>at: found %1, expected seconds, 0 or more</source>
@@ -1972,11 +1972,11 @@
     </message>
     <message>
         <source>found %1, expected key: value, as in the YAML files of map_server</source>
-        <translation>se encontró %1; se esperaba clave: valor, como en los ficheros YAML de map_server</translation>
+        <translation>se encontró %1; se esperaba clave: valor, como en los archivos YAML de map_server</translation>
     </message>
     <message>
         <source>has no %1; expected a line %1: %2, as in the YAML files of map_server</source>
-        <translation>no tiene %1; se esperaba una línea %1: %2, como en los ficheros YAML de map_server</translation>
+        <translation>no tiene %1; se esperaba una línea %1: %2, como en los archivos YAML de map_server</translation>
     </message>
     <message>
         <source>0 m or more</source>
@@ -2020,11 +2020,11 @@
     </message>
     <message>
         <source>the walls of %1 are changed in the drawing, or written into the world file in its place</source>
-        <translation>las paredes de %1 se cambian en el dibujo, o se escriben en el fichero del mundo en su lugar</translation>
+        <translation>las paredes de %1 se cambian en el dibujo, o se escriben en el archivo del mundo en su lugar</translation>
     </message>
     <message>
         <source>%1 does not tell how large a pixel is; expected the metres of a pixel, or the YAML file of map_server that names the picture</source>
-        <translation>%1 no dice cuánto mide un píxel; se esperaban los metros de un píxel, o el fichero YAML de map_server que nombra la imagen</translation>
+        <translation>%1 no dice cuánto mide un píxel; se esperaban los metros de un píxel, o el archivo YAML de map_server que nombra la imagen</translation>
     </message>
     <message>
         <source>is a world; expected a drawing, a map, a finished run or a picture</source>
@@ -4592,7 +4592,11 @@
     </message>
     <message>
         <source>Results of another run in it will be lost; other files stay.</source>
-        <translation>Los resultados de otra ejecución que contenga se perderán; los demás ficheros quedan.</translation>
+        <translation>Los resultados de otra ejecución que contenga se perderán; los demás archivos quedan.</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
     </message>
 </context>
 <context>
@@ -4963,10 +4967,6 @@
         <translation>Alternadas</translation>
     </message>
     <message>
-        <source>Save image…</source>
-        <translation>Guardar imagen…</translation>
-    </message>
-    <message>
         <source>%1, odometry</source>
         <translation>%1, odometría</translation>
     </message>
@@ -5005,6 +5005,10 @@
     <message>
         <source>How far all are from the reference trajectory</source>
         <translation>A qué distancia están todas de la trayectoria de referencia</translation>
+    </message>
+    <message>
+        <source>Save as image…</source>
+        <translation>Guardar como imagen…</translation>
     </message>
 </context>
 <context>
@@ -5170,12 +5174,16 @@
         <translation>No se aplica cómo se leía la anterior</translation>
     </message>
     <message>
-        <source>Undone: %1</source>
-        <translation>Deshecho: %1</translation>
+        <source>The references, of the former log, are removed</source>
+        <translation>Las referencias, del registro anterior, se han quitado</translation>
     </message>
     <message>
-        <source>Redone: %1</source>
-        <translation>Rehecho: %1</translation>
+        <source>Undone, now: %1</source>
+        <translation>Deshecho, ahora: %1</translation>
+    </message>
+    <message>
+        <source>Redone, now: %1</source>
+        <translation>Rehecho, ahora: %1</translation>
     </message>
 </context>
 <context>
@@ -5391,10 +5399,6 @@
 <context>
     <name>hitos::window::ErrorStrip</name>
     <message>
-        <source>%1: ATE %2 (RMSE), mean %3, greatest %4; heading %5 (RMSE)</source>
-        <translation>%1: ATE %2 (RMSE), media %3, máximo %4; orientación %5 (RMSE)</translation>
-    </message>
-    <message>
         <source>; RPE per metre %1, %2 (RMSE)</source>
         <translation>; RPE por metro %1, %2 (RMSE)</translation>
     </message>
@@ -5449,6 +5453,10 @@
     <message>
         <source>Save as image…</source>
         <translation>Guardar como imagen…</translation>
+    </message>
+    <message>
+        <source>%1: ATE %2 (RMSE, aligned), mean %3, greatest %4; heading %5 (RMSE)</source>
+        <translation>%1: ATE %2 (RMSE, alineado), media %3, máximo %4; orientación %5 (RMSE)</translation>
     </message>
 </context>
 <context>
@@ -5994,10 +6002,6 @@
         <translation>Elegir el registro y su tipo</translation>
     </message>
     <message>
-        <source>Save picture…</source>
-        <translation>Guardar imagen…</translation>
-    </message>
-    <message>
         <source>Save the view in use as an image</source>
         <translation>Guardar la vista en uso como imagen</translation>
     </message>
@@ -6532,6 +6536,18 @@
     <message>
         <source>Runs, or a run and its odometry, side by side, overlaid or blinking</source>
         <translation>Ejecuciones, o una ejecución y su odometría, lado a lado, superpuestas o alternadas</translation>
+    </message>
+    <message>
+        <source>Undo, back to: %1</source>
+        <translation>Deshacer, de vuelta a: %1</translation>
+    </message>
+    <message>
+        <source>Redo, on to: %1</source>
+        <translation>Rehacer, de nuevo a: %1</translation>
+    </message>
+    <message>
+        <source>As in the study already: %1</source>
+        <translation>Ya como en el estudio: %1</translation>
     </message>
 </context>
 <context>

@@ -53,6 +53,7 @@ class CanvasView : public QWidget {
     virtual void fit();
     void zoom(double factor);
     void set_follow(bool on);
+    bool follows() const { return follow_; }
     /// While on, the camera neither fits nor follows; the user moves it.
     void hold_camera(bool on);
     /// Looks where another one looks.

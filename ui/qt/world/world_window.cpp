@@ -27,7 +27,6 @@ namespace hitos::window {
 namespace {
 
 constexpr QSize kWorldSize(960, 700);
-constexpr int kBeside = 40;  // pixels from the main window
 constexpr int kLines = 3;    // of what the check says
 
 }  // namespace
@@ -70,7 +69,7 @@ WorldWindow::WorldWindow(Session& session, UserFiles& files, Prompts& prompts,
     connect(panel_, &DrivePanel::kept, this, &WorldWindow::go_on_with);
     connect(&drive(), &LiveDrive::changed, this, &WorldWindow::show_state);
     resize(kWorldSize);
-    place_beside_parent(*this, QPoint(kBeside, kBeside));
+    place_beside_parent(*this, kBeside);
     show_draft();
     show_state();
 }
