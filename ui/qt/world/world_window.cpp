@@ -27,7 +27,7 @@ namespace hitos::window {
 namespace {
 
 constexpr QSize kWorldSize(960, 700);
-constexpr int kLines = 3;    // of what the check says
+constexpr int kLines = 3;  // of what the check says
 
 }  // namespace
 
