@@ -145,8 +145,6 @@ hitos-cli reproduce --report docs/reproduction.md
   where the text does so. Outside it the tendency counts too: a row is harmed where it has no landmarks,
   1.5 times the mean error of the working range and 0.05 m more, or a number of landmarks that is off by
   more than 1.
-* Two variances in `data/results.csv` are not those that the text prints: `lineamedia`, `mlon` 1.2 (0.0019
-  in the text) and `bigloop2`, `sensor_theta` 0.005 (0.0059).
 
 )";
     if (!text_of(reading).empty()) {
