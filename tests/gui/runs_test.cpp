@@ -395,6 +395,11 @@ void RunsTest::the_errors_of_more_than_two_lie_over_each_other() {
     comparison.show_figures(true);
     comparison.compare({runs[0], runs[1]});
     QVERIFY(strip->curve(0).size() == 40 && strip->curve(1).size() == 80);
+    // Where a side's run goes, nothing is compared with itself.
+    comparison.compare({runs[1], runs[0]});
+    f.list().remove(runs[1].number);
+    QCOMPARE(comparison.findChild<QComboBox*>("compare_left")->currentData().toPoint(),
+             QPoint(0, 1));
 }
 
 void RunsTest::paths_have_the_colours_of_their_errors() {

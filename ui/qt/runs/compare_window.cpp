@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <limits>
-#include <ranges>
+#include <span>
 #include <utility>
 
 #include "look/parameter_text.hpp"
@@ -170,9 +170,7 @@ void CompareWindow::fill_boxes() {
         const int place = side.box->findData(chosen);
         side.box->setCurrentIndex(std::max(place, 0));
         if (place < 0) {
-            const QPoint first = side.box->currentData().toPoint();
-            side.choice =
-                others_.empty() ? Choice{first.x(), first.y() == 1} : others_.front().choice;
+            side.choice = replacement_for(side);
             side.run = nullptr;
             std::erase_if(others_, [&side](const Compared& o) { return o.choice == side.choice; });
             side.box->setCurrentIndex(
@@ -181,6 +179,16 @@ void CompareWindow::fill_boxes() {
         take(side);
     }
     measure();
+}
+
+/// For a side whose run has gone: the first of the others, else the first of the list, by odometry
+/// where the other side has it already.
+CompareWindow::Choice CompareWindow::replacement_for(const Side& side) const {
+    if (!others_.empty()) return others_.front().choice;
+    const QPoint first = side.box->itemData(0).toPoint();
+    const Side& beside = &side == &sides_.front() ? sides_.back() : sides_.front();
+    const Choice choice{first.x(), false};
+    return {choice.number, choice == beside.choice};
 }
 
 void CompareWindow::compare(const std::vector<ListedRun>& runs) {
@@ -193,7 +201,7 @@ void CompareWindow::compare(const std::vector<ListedRun>& runs) {
     } else if (!present && !all.empty()) {
         left = {all.back().number, false};
     } else if (present) {  // what it was before, if there is any
-        for (const ListedRun& kept : all | std::views::drop(1)) {
+        for (const ListedRun& kept : std::span(all).subspan(1)) {
             const KeptRun& now = *all.front().run;
             if (same_log(kept.run->configuration, now.configuration) && !same_run(*kept.run, now))
                 left = {kept.number, false};
@@ -203,8 +211,8 @@ void CompareWindow::compare(const std::vector<ListedRun>& runs) {
     others_.clear();
     if (runs.size() > 1) {
         right = {runs[1].number, false};
-        for (const ListedRun& other : runs | std::views::take(kMostCompared) | std::views::drop(2))
-            others_.push_back({{other.number, false}, other.run, {}});
+        for (std::size_t i = 2; i < std::min(runs.size(), kMostCompared); ++i)
+            others_.push_back({{runs[i].number, false}, runs[i].run, {}});
     } else if (present && left.number != 0) {
         right = {};
     }

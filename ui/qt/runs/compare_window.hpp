@@ -76,6 +76,7 @@ class CompareWindow final : public QDialog {
     void make_side(std::size_t side, const ViewSettings& settings);
     QWidget* make_tools();
     void fill_boxes();
+    Choice replacement_for(const Side& side) const;
     void set_side(std::size_t side, const Choice& choice);
     void take(Side& side);
     void refresh_grid(Side& side);
