@@ -157,7 +157,7 @@ void ConfigurationTest::values_are_changed_in_the_form() {
     in_dialog<ConfigurationDialog>([](ConfigurationDialog& dialog) {
         set_field(dialog, "filter.particles", "25");
         const QString told = dialog.findChild<QLabel*>("verdict")->text();
-        QVERIFY2(told.contains("Particles: 10 → 25"), qPrintable(told));
+        QVERIFY2(told.contains("Number of particles (M): 10 → 25"), qPrintable(told));
         set_field(dialog, "split_merge.dmax", "0.05");
         auto* detect = dialog.findChild<QComboBox*>("field_features.detect");
         detect->setCurrentIndex(0);

@@ -169,7 +169,11 @@ void ConfigurationActions::note_named(const CommandLine& line) {
 }
 
 bool ConfigurationActions::use_again(const Configuracion& configuration) {
-    return guard_.may_discard() && use(configuration);
+    if (!guard_.may_discard()) return false;
+    const bool had = has_references();
+    if (!use(configuration)) return false;
+    if (const QString lost = lost_words(had); !lost.isEmpty()) emit notice(lost);
+    return true;
 }
 
 void ConfigurationActions::look_at_run(Configuracion configuration) {
@@ -331,11 +335,13 @@ bool ConfigurationActions::load_file(const QString& path, bool confirmed) {
                            tr("The run starts from the beginning."), tr("Load")})) {
         return true;  // the user's own wish, nothing to mend
     }
+    const bool had = has_references();
     if (!use(next)) return false;
     own_.clear();
     files_.note_opened("config", path);
     files_.note_recent(path);
-    emit notice(tr("Configuration loaded: %1").arg(QFileInfo(path).fileName()));
+    emit notice(sentences(
+        {tr("Configuration loaded: %1").arg(QFileInfo(path).fileName()), lost_words(had)}));
     return true;
 }
 

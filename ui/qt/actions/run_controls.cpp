@@ -162,10 +162,12 @@ void RunControls::show_progress(const Progress& progress, bool has_source) {
     time_line_->setEnabled(has_source && progress.state != State::failed);
     // The keyboard stays here, and Space means the run, where its button has gone grey.
     if (focused && focused->parentWidget() == this && !focused->isEnabled()) {
-        if (run_->isEnabled())
-            run_->setFocus();
-        else
-            time_line_->setFocus();
+        for (QWidget* next : {static_cast<QWidget*>(run_), static_cast<QWidget*>(time_line_),
+                              static_cast<QWidget*>(controls_.back())}) {
+            if (!next->isEnabled()) continue;
+            next->setFocus();
+            break;
+        }
     }
     if (!running) time_line_->arrive();
     const auto scan = static_cast<int>(progress.steps);

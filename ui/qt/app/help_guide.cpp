@@ -9,7 +9,6 @@
 #include "hitos/workbench/shipped_data.hpp"
 #include "language.hpp"
 #include "look/prompts.hpp"
-#include "look/screen_fit.hpp"
 #include "look/user_files.hpp"
 
 namespace hitos::window {
@@ -79,10 +78,7 @@ void HelpGuide::open(const QString& heading) {
         prompts_.warn(&main_, tr("User's guide"), tr("docs/user-guide.md is not installed."));
         return;
     }
-    if (!window_) {
-        window_ = new GuideWindow(files_.settings(), spoken_language(), &main_);
-        place_beside_parent(*window_, kBeside);
-    }
+    if (!window_) window_ = new GuideWindow(files_.settings(), spoken_language(), &main_);
     // A dialog that waits for its answer blocks every window but those that belong to it.
     QWidget* above = QApplication::activeModalWidget();
     belong_to(above == nullptr ? main_ : *above);

@@ -37,7 +37,7 @@ int label_width() {
     int width = 0;
     for (const ConfigParameter& parameter : parameters()) {
         if (names_source(parameter)) continue;
-        width = std::max(width, metrics.horizontalAdvance(label_of(parameter)));
+        width = std::max(width, metrics.size(0, in_lines(full_label_of(parameter))).width());
     }
     return width + 8;
 }
@@ -94,6 +94,7 @@ void ConfigurationDialog::resizeEvent(QResizeEvent* event) {
     constexpr int kTwoColumns = 940;
     columns_->setDirection(width() < kTwoColumns ? QBoxLayout::TopToBottom
                                                  : QBoxLayout::LeftToRight);
+    columns_->setStretch(0, width() < kTwoColumns ? 0 : 1);  // no hole before the second
     QDialog::resizeEvent(event);
 }
 
@@ -222,7 +223,7 @@ QStringList ConfigurationDialog::changes(const Configuracion& next) const {
     for (const ConfigParameter& parameter : parameters()) {
         if (parameter.text(original_) == parameter.text(next)) continue;
         lines << QString("%1: %2 → %3")
-                     .arg(label_of(parameter), value_of(parameter, original_),
+                     .arg(full_label_of(parameter), value_of(parameter, original_),
                           value_of(parameter, next));
     }
     return lines;

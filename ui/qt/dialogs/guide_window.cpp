@@ -80,7 +80,10 @@ GuideWindow::GuideWindow(QSettings& settings, QString language, QWidget* parent)
     halves_->restoreState(settings.value(kHalvesKey).toByteArray());
     resize(kGuideSize);
     fit_to_screen(*this);
-    if (restoreGeometry(settings.value(kGeometryKey).toByteArray())) keep_on_screen(*this);
+    if (restoreGeometry(settings.value(kGeometryKey).toByteArray()))
+        keep_on_screen(*this);
+    else
+        place_beside_parent(*this, kBeside);
     page_->setFocus();
 }
 

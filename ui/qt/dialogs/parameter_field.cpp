@@ -28,8 +28,8 @@ QString tip_of(const ParameterFacts& facts, const std::string& normal) {
     return tip + "</p>";
 }
 
-/// A long label stands in two lines of about the same length: one that wraps by itself has no
-/// height of its own in a form that scrolls.
+}  // namespace
+
 QString in_lines(QString label) {
     constexpr qsizetype kLong = 25;
     if (label.size() <= kLong) return label;
@@ -41,8 +41,6 @@ QString in_lines(QString label) {
     if (best >= 0) label[best] = '\n';
     return label;
 }
-
-}  // namespace
 
 ParameterField::ParameterField(const ParameterFacts& facts, const std::string& normal,
                                QGridLayout* rows, QWidget* parent)

@@ -64,6 +64,10 @@ class ParameterField : public QObject {
     QString good_;
 };
 
+/// A long label stands in two lines of about the same length: one that wraps by itself has no
+/// height of its own in a form that scrolls.
+QString in_lines(QString label);
+
 /// The field of a parameter of `Owner`.
 template <class Owner>
 class FieldOf final : public ParameterField {

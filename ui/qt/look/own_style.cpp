@@ -83,7 +83,9 @@ void OwnStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* optio
     QProxyStyle::drawPrimitive(element, option, painter, widget);
     const bool dark = colours().window.lightness() < colours().text.lightness();
     const bool box = element == PE_IndicatorCheckBox || element == PE_FrameLineEdit;
-    if (!dark || !box || option->state.testFlag(State_HasFocus)) return;
+    const State focus = element == PE_FrameLineEdit ? State(State_HasFocus)
+                                                    : State_HasFocus | State_KeyboardFocusChange;
+    if (!dark || !box || (option->state & focus) == focus) return;
     // Fusion's outline is a darker window: in the dark none that can be seen.
     constexpr double kRadius = 2.0;
     painter->save();

@@ -2,6 +2,7 @@
 
 #include <QAbstractFileIconProvider>
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QInputDialog>
@@ -50,31 +51,54 @@ class FilesByName final : public QAbstractFileIconProvider {
     }
 };
 
-/// What all file dialogs have in common, where the desktop has none of its own.
-void set_up(QFileDialog& dialog) {
-    static FilesByName by_name;
-    constexpr QSize kWide(860, 520);
-    dialog.setIconProvider(&by_name);
-    if (auto* list = dialog.findChild<QTreeView*>("treeView")) {
-        list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-        list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-        if (auto* halves = dialog.findChild<QSplitter*>("splitter"))
-            halves->setSizes({kWide.width() / 5, kWide.width()});  // names of places are whole
-        dialog.resize(dialog.size().expandedTo(kWide));
-        fit_to_screen(dialog);
+/// Where the desktop has none of its own it is wide enough for whole names. What it keeps is shared
+/// by all programs with Qt, and stays as it was.
+class OwnFileDialog : public QFileDialog {
+  public:
+    /// `start` is a folder, or the file to begin with.
+    OwnFileDialog(QWidget* parent, const QString& title, const QString& start,
+                  const QString& filters = {})
+        : QFileDialog(parent, title, QDir::rootPath(), filters),
+          list_(findChild<QTreeView*>("treeView")),
+          halves_(findChild<QSplitter*>("splitter")) {
+        static FilesByName by_name;
+        constexpr QSize kWide(860, 520);
+        setIconProvider(&by_name);  // before it looks into the folder
+        const QFileInfo at(start);
+        setDirectory(at.isDir() ? start : at.absolutePath());
+        if (list_ == nullptr || halves_ == nullptr) return;
+        columns_ = list_->header()->saveState();
+        widths_ = halves_->saveState();
+        list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+        list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+        halves_->setSizes({kWide.width() / 5, kWide.width()});
+        resize(size().expandedTo(kWide));
+        fit_to_screen(*this);
     }
-}
 
-QString answer_of(QFileDialog& dialog) {
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
-}
+    /// Empty where the user cancelled.
+    QString ask() {
+        const QString named = exec() == Accepted ? selectedFiles().value(0) : QString();
+        if (list_ != nullptr && halves_ != nullptr) {
+            list_->header()->restoreState(columns_);
+            halves_->restoreState(widths_);
+        }
+        return named;
+    }
+
+  private:
+    QTreeView* list_;
+    QSplitter* halves_;
+    QByteArray columns_;
+    QByteArray widths_;
+};
 
 /// Asks for the name of a folder to write: that of one that is there is taken too, where the usual
 /// dialog would walk into it.
-class FolderNameDialog final : public QFileDialog {
+class FolderNameDialog final : public OwnFileDialog {
   public:
     FolderNameDialog(QWidget* parent, const QString& title, const QString& folder)
-        : QFileDialog(parent, title, folder) {
+        : OwnFileDialog(parent, title, folder) {
         setOption(QFileDialog::DontUseNativeDialog);
         setOption(QFileDialog::DontConfirmOverwrite);
         setAcceptMode(QFileDialog::AcceptSave);
@@ -105,14 +129,11 @@ QString with_ending(const QString& path, const QString& chosen, const QString& o
 }
 
 QString QtPrompts::open_file(QWidget* parent, const FileQuestion& question) {
-    const QFileInfo start(question.start);
-    const bool folder = start.isDir();
-    QFileDialog dialog(parent, question.title, folder ? question.start : start.absolutePath(),
-                       question.filters);
+    OwnFileDialog dialog(parent, question.title, question.start, question.filters);
     dialog.setFileMode(QFileDialog::ExistingFile);
-    if (!folder) dialog.selectFile(start.fileName());
-    // What comes with Hitos is a click away, wherever the last file was; but the dialog writes its
-    // places into settings that all programs with Qt share.
+    const QFileInfo start(question.start);
+    if (!start.isDir()) dialog.selectFile(start.fileName());
+    // What comes with Hitos is a click away, wherever the last file was.
     QList<QUrl> shipped;
     for (const char* kind : {"config", "log", "map"}) {
         const QString place = shipped_folder(kind);
@@ -123,40 +144,36 @@ QString QtPrompts::open_file(QWidget* parent, const FileQuestion& question) {
         places.removeIf([&shipped](const QUrl& place) { return shipped.contains(place); });
         return places;
     };
-    set_up(dialog);
     dialog.setSidebarUrls(of_the_user() + shipped);
-    const QString named = answer_of(dialog);
+    const QString named = dialog.ask();
     dialog.setSidebarUrls(of_the_user());
     return named;
 }
 
 QString QtPrompts::save_file(QWidget* parent, const FileQuestion& question) {
-    if (question.folder) {
-        FolderNameDialog dialog(parent, question.title, QFileInfo(question.start).absolutePath());
-        dialog.selectFile(QFileInfo(question.start).fileName());
-        set_up(dialog);
-        return answer_of(dialog);
-    }
     const QFileInfo start(question.start);
-    QFileDialog dialog(parent, question.title, start.absolutePath(), question.filters);
+    if (question.folder) {
+        FolderNameDialog dialog(parent, question.title, start.absolutePath());
+        dialog.selectFile(start.fileName());
+        return dialog.ask();
+    }
+    OwnFileDialog dialog(parent, question.title, start.absolutePath(), question.filters);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setFileMode(QFileDialog::AnyFile);
     // Whether a file may be replaced is asked by the caller, the same way everywhere.
     dialog.setOption(QFileDialog::DontConfirmOverwrite);
     dialog.selectFile(start.fileName());
-    set_up(dialog);
-    const QString path = answer_of(dialog);
+    const QString path = dialog.ask();
     const QString filter = dialog.selectedNameFilter();
     if (question.chosen != nullptr) *question.chosen = filter;
     return path.isEmpty() ? path : with_ending(path, filter, question.suffix);
 }
 
 QString QtPrompts::choose_folder(QWidget* parent, const QString& title, const QString& start) {
-    QFileDialog dialog(parent, title, start);
+    OwnFileDialog dialog(parent, title, start);
     dialog.setFileMode(QFileDialog::Directory);
     dialog.setOption(QFileDialog::ShowDirsOnly);
-    set_up(dialog);
-    return answer_of(dialog);
+    return dialog.ask();
 }
 
 bool QtPrompts::confirm(QWidget* parent, const Question& question) {

@@ -209,6 +209,7 @@ void CompareWindow::compare(const std::vector<ListedRun>& runs) {
     }
     Choice right{left.number, true};
     others_.clear();
+    left_out_ = runs.size() - std::min(runs.size(), kMostCompared);
     if (runs.size() > 1) {
         right = {runs[1].number, false};
         for (std::size_t i = 2; i < std::min(runs.size(), kMostCompared); ++i)
@@ -223,13 +224,13 @@ void CompareWindow::compare(const std::vector<ListedRun>& runs) {
 }
 
 void CompareWindow::choose(int side, const Choice& choice) {
-    // One that was among the others leaves them its place.
-    for (Compared& other : others_) {
-        if (other.choice != choice) continue;
-        other = {sides_[static_cast<std::size_t>(side)].choice, nullptr, {}};
-        other.run = run_of(other.choice);
-    }
-    set_side(static_cast<std::size_t>(side), choice);
+    // One that was among the others leaves them its place, unless what was here is beside it.
+    const auto place = static_cast<std::size_t>(side);
+    const Choice before = sides_[place].choice;
+    const auto same = [&choice](const Compared& other) { return other.choice == choice; };
+    if (std::erase_if(others_, same) > 0 && before != sides_[1 - place].choice)
+        others_.push_back({before, run_of(before), {}});
+    set_side(place, choice);
     measure();
 }
 
@@ -307,18 +308,21 @@ std::vector<const CompareWindow::Compared*> CompareWindow::compared() const {
     return all;
 }
 
-/// The run's own, as in the list; where two have the same, another one for the later.
+/// The run's own, as in the list; where two have the same, for the later one that nobody has.
 QColor CompareWindow::colour_at(std::size_t place) const {
-    std::vector<QColor> taken;
-    const std::vector<const Compared*> all = compared();
-    for (std::size_t i = 0; i <= place; ++i) {
-        QColor colour = all[i]->choice.odometry ? light_colours().odometry
-                                                : colour_of({all[i]->choice.number, nullptr});
-        for (int next = 0; std::ranges::find(taken, colour) != taken.end(); ++next)
-            colour = colour_of({next, nullptr});
-        taken.push_back(colour);
+    std::vector<QColor> colours;
+    for (const Compared* of : compared()) {
+        colours.push_back(of->choice.odometry ? light_colours().odometry
+                                              : colour_of({of->choice.number, nullptr}));
     }
-    return taken.back();
+    for (std::size_t i = 1; i <= place; ++i) {
+        const auto end = colours.begin() + static_cast<std::ptrdiff_t>(i);
+        if (std::find(colours.begin(), end, colours[i]) == end) continue;
+        int next = 0;
+        while (std::ranges::find(colours, colour_of({next, nullptr})) != colours.end()) ++next;
+        colours[i] = colour_of({next, nullptr});
+    }
+    return colours[place];
 }
 
 PathFigures CompareWindow::figures_of(const Compared& of) const {
@@ -380,6 +384,7 @@ QString CompareWindow::verdict() const {
     if (!same_log(left.run->configuration, right.run->configuration)) {
         words << tr("The logs differ: %1 and %2").arg(log_of(*left.run), log_of(*right.run));
     }
+    if (left_out_ > 0) words << tr("Chosen as well, and left out: %1").arg(left_out_);
     for (const Side& side : sides_) {
         const QString& problem = side.builder->state().error;
         if (!side.made || problem.isEmpty()) continue;

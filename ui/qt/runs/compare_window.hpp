@@ -96,6 +96,7 @@ class CompareWindow final : public QDialog {
     RunList& list_;
     std::array<Side, 2> sides_;
     std::vector<Compared> others_;  ///< chosen with them
+    std::size_t left_out_ = 0;      ///< of those chosen, beyond kMostCompared
     std::array<QToolButton*, 3> modes_{};
     QToolButton* figures_ = nullptr;
     ErrorStrip* strip_ = nullptr;

@@ -158,7 +158,7 @@ void RunsPanel::refresh() {
 
 void RunsPanel::show_choice() {
     const std::vector<ListedRun> runs = isVisible() ? chosen() : std::vector<ListedRun>();
-    compare_->setEnabled(model_->rowCount() > 0 && runs.size() <= kMostCompared);
+    compare_->setEnabled(model_->rowCount() > 0);
     use_->setEnabled(runs.size() == 1 && runs.front().number > 0);
     remove_->setEnabled(std::ranges::any_of(runs, [](const auto& one) { return one.number > 0; }));
     std::vector<RunTrace> traces;

@@ -54,7 +54,7 @@ class RunsPanel final : public QWidget {
     std::optional<ListedRun> open_folder(const QString& folder);
 
   signals:
-    /// At most kMostCompared of the list; none: whatever is there.
+    /// Some of the list; none: whatever is there.
     void comparison_wanted(const std::vector<hitos::window::ListedRun>& runs);
     void results_wanted();
     void configuration_wanted(const hitos::Configuracion& configuration);

@@ -1472,11 +1472,11 @@
     </message>
     <message>
         <source>graph-slam needs registration, and the run has none</source>
-        <translation>graph-slam necesita la alineación de barridos, y la ejecución no lo tiene</translation>
+        <translation>graph-slam necesita la alineación de barridos, y la ejecución no la tiene</translation>
     </message>
     <message>
         <source>&quot;registered&quot; needs registration, and this run has none; choose another motion model, or give every step what registration says of it</source>
-        <translation>«registered» necesita la alineación de barridos, y esta ejecución no lo tiene; elija otro modelo de movimiento o dé a cada paso lo que la alineación dice de él</translation>
+        <translation>«registered» necesita la alineación de barridos, y esta ejecución no la tiene; elija otro modelo de movimiento o dé a cada paso lo que la alineación dice de él</translation>
     </message>
     <message>
         <source>found &quot;%1&quot; for the world %2, expected auto: it is no log</source>
@@ -3398,7 +3398,7 @@
     </message>
     <message>
         <source>Whether a landmark takes only the likeliest of the observations of a scan that claim it, the others being kept out of the map; jcbb always does so.</source>
-        <translation>Si un hito toma solo la más verosímil de las observaciones de un barrido que lo reclaman y las demás quedan fuera del mapa; jcbb lo hace siempre.</translation>
+        <translation>Si un hito toma solo la más probable de las observaciones de un barrido que lo reclaman y las demás quedan fuera del mapa; jcbb lo hace siempre.</translation>
     </message>
     <message>
         <source>Whether each particle draws, by their likelihoods, which of several plausible landmarks an ambiguous observation is of, or a new one, so that particles follow different hypotheses; not with jcbb.</source>
@@ -5009,6 +5009,10 @@
     <message>
         <source>Save as image…</source>
         <translation>Guardar como imagen…</translation>
+    </message>
+    <message>
+        <source>Chosen as well, and left out: %1</source>
+        <translation>Elegidas además, y dejadas fuera: %1</translation>
     </message>
 </context>
 <context>
