@@ -150,8 +150,8 @@ void RunControls::show_progress(const Progress& progress, bool has_source) {
     const bool over = progress.state == State::finished || progress.state == State::failed;
     const bool running = progress.state == State::running;
     const bool begun = progress.steps > 0;
-    const QPointer<QWidget> focused(QApplication::focusWidget());
     pass_focus(running, has_source && !over);
+    const QPointer<QWidget> focused(QApplication::focusWidget());
     actions_.run->setEnabled(has_source && !over && !running);
     actions_.step->setEnabled(has_source && !over && !running);
     actions_.stop->setEnabled(running);
