@@ -126,7 +126,7 @@ QString title_of(ParameterGroup group, const Configuracion& configuration) {
     const auto facts = std::ranges::find(parameter_groups(), group, &ParameterGroupFacts::group);
     if (facts->title_key.empty()) return translated("ParameterGroup", facts->title);
     const ConfigParameter& chosen = find_parameter(facts->title_key);
-    const QString words = value_of(chosen, configuration);
+    QString words = value_of(chosen, configuration);
     if (group != ParameterGroup::split_merge || chosen.text(configuration) != "split-merge")
         return words;
     return QCoreApplication::translate("ParameterGroup", "%1 algorithm").arg(words);

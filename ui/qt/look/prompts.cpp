@@ -78,7 +78,7 @@ class OwnFileDialog : public QFileDialog {
 
     /// Empty where the user cancelled.
     QString ask() {
-        const QString named = exec() == Accepted ? selectedFiles().value(0) : QString();
+        QString named = exec() == Accepted ? selectedFiles().value(0) : QString();
         if (list_ != nullptr && halves_ != nullptr) {
             list_->header()->restoreState(columns_);
             halves_->restoreState(widths_);
@@ -145,7 +145,7 @@ QString QtPrompts::open_file(QWidget* parent, const FileQuestion& question) {
         return places;
     };
     dialog.setSidebarUrls(of_the_user() + shipped);
-    const QString named = dialog.ask();
+    QString named = dialog.ask();
     dialog.setSidebarUrls(of_the_user());
     return named;
 }
