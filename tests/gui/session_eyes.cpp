@@ -97,7 +97,7 @@ Target within(QWidget& widget, const QString& words) {
     }
     if (auto* view = qobject_cast<QAbstractItemView*>(&widget);
         view != nullptr && qobject_cast<QHeaderView*>(&widget) == nullptr) {
-        if (const Target cell = cell_of(*view, words); cell.widget != nullptr) return cell;
+        if (Target cell = cell_of(*view, words); cell.widget != nullptr) return cell;
     }
     if (auto* button = qobject_cast<QAbstractButton*>(&widget)) {
         if (button->isEnabled() && (read(button->text()) == words ||
