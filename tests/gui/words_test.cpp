@@ -142,10 +142,11 @@ void WordsTest::the_window_speaks_the_words_of_the_thesis() {
             {"resampling.neff_threshold", "Número de partículas efectivas (Neff)"}};
         for (const auto& [key, words] : fields) {
             QCOMPARE(full_label_of(find_parameter(key)), words);
+            const QString& wanted = words;
             const auto labels = form.findChildren<QLabel*>();
             QVERIFY2(std::ranges::count_if(labels,
-                                           [&words](const QLabel* label) {
-                                               return label->text().replace('\n', ' ') == words;
+                                           [&wanted](const QLabel* label) {
+                                               return label->text().replace('\n', ' ') == wanted;
                                            }) == 1,
                      key);
         }
