@@ -402,13 +402,16 @@ void ConfigurationActions::save_as(const QString& start, const QString& title) {
     emit notice(tr("Configuration saved: %1").arg(QDir::toNativeSeparators(path)));
 }
 
+bool same_configuration(const Configuracion& a, const Configuracion& b) {
+    return a.source.file == b.source.file &&
+           ArchivoConfiguracion::to_text(a) == ArchivoConfiguracion::to_text(b);
+}
+
 /// Keeps the configuration that was, unless there was no log to run it on.
 void ConfigurationActions::note_change() {
     constexpr std::size_t kMost = 50;
     const Configuracion& next = session_.configuration();
-    const bool same = now_.source.file == next.source.file &&
-                      ArchivoConfiguracion::to_text(now_) == ArchivoConfiguracion::to_text(next);
-    if (!in_history_ && !now_.source.file.empty() && !same) {
+    if (!in_history_ && !now_.source.file.empty() && !same_configuration(now_, next)) {
         before_.push_back(now_);
         if (before_.size() > kMost) before_.erase(before_.begin());
         after_.clear();

@@ -18,6 +18,9 @@ namespace hitos::window {
 
 struct CommandLine;
 
+/// Whether a change from one to the other is none: nothing for undo.
+bool same_configuration(const Configuracion& a, const Configuracion& b);
+
 class ConfigurationActions final : public QObject {
     Q_OBJECT
 
@@ -61,6 +64,7 @@ class ConfigurationActions final : public QObject {
     void load_reference_map();
     void load_reference_trajectory();
     void remove_references();
+    bool has_references() const;
 
   signals:
     void notice(QString text);
@@ -78,7 +82,6 @@ class ConfigurationActions final : public QObject {
     void save_as(const QString& start, const QString& title);
     bool load_file(const QString& path, bool confirmed);
     bool use_log(const QString& path);
-    bool has_references() const;
     QString lost_words(bool had) const;
     bool is_own(const Configuracion& configuration) const;
     QString suit(Configuracion& next, const std::string& file) const;

@@ -177,8 +177,7 @@ void MainWindow::connect_configuration() {
     connect(ui_->action_remove_references, &QAction::triggered, configuration_,
             &ConfigurationActions::remove_references);
     const auto enable_remove = [this] {
-        const References& references = session_.user_references();
-        ui_->action_remove_references->setEnabled(references.map || references.trajectory);
+        ui_->action_remove_references->setEnabled(configuration_->has_references());
     };
     connect(&session_, &Session::references_changed, this, enable_remove);
     enable_remove();

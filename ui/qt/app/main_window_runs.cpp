@@ -9,7 +9,6 @@
 #include "actions/result_actions.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
-#include "hitos/services/results/kept_run.hpp"
 #include "look/screen_fit.hpp"
 #include "main_window.hpp"
 #include "runs/compare_window.hpp"
@@ -92,9 +91,9 @@ StudyDialog& MainWindow::open_study() {
                 [this](const Configuracion& configuration, const QString& values) {
                     const Configuracion before = session_.configuration();
                     if (!configuration_->use_again(configuration)) return;
-                    const bool new_ones = !differences(session_.configuration(), before).empty();
-                    status_->notice((new_ones ? tr("Set as in the study: %1. Undo takes it back")
-                                              : tr("As in the study already: %1"))
+                    const bool same = same_configuration(session_.configuration(), before);
+                    status_->notice((same ? tr("As in the study already: %1")
+                                          : tr("Set as in the study: %1. Undo takes it back"))
                                         .arg(values));
                 });
         const auto come_forward = [this] {

@@ -81,11 +81,11 @@ int OwnStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidge
 void OwnStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
                              QPainter* painter, const QWidget* widget) const {
     QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (element != PE_IndicatorCheckBox && element != PE_FrameLineEdit) return;
     const bool dark = colours().window.lightness() < colours().text.lightness();
-    const bool box = element == PE_IndicatorCheckBox || element == PE_FrameLineEdit;
     const State focus = element == PE_FrameLineEdit ? State(State_HasFocus)
                                                     : State_HasFocus | State_KeyboardFocusChange;
-    if (!dark || !box || (option->state & focus) == focus) return;
+    if (!dark || (option->state & focus) == focus) return;
     // Fusion's outline is a darker window: in the dark none that can be seen.
     constexpr double kRadius = 2.0;
     painter->save();
