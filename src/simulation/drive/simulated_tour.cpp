@@ -219,6 +219,7 @@ Scan SimulatedTour::scan(std::uint64_t k) const {
         among(now)->cast(pose, hits);
         cast_walkers(world_.walkers, time_s, compose(pose, mount), laser_directions_, hits);
     }
+    interpolate(hits, world_.laser.sample_skip, fan_.max_range_m);
 
     Scan scan;
     scan.time_s = scan_time(k);

@@ -114,6 +114,22 @@ std::vector<Point2> ray_directions(const Fan& fan, double turned_rad, double ste
     return directions;
 }
 
+void interpolate(std::span<RayHit> hits, int n, double max_range_m) {
+    const auto block = static_cast<std::size_t>(n);
+    for (std::size_t from = 0; from + 1 < hits.size(); from += block) {
+        const std::size_t to = std::min(from + block, hits.size() - 1);
+        const double right = std::min(hits[from].range_m, max_range_m);
+        const double left = std::min(hits[to].range_m, max_range_m);
+        const bool bare = std::isinf(hits[from].range_m) && std::isinf(hits[to].range_m);
+        const auto steps = static_cast<double>(to - from);
+        for (std::size_t ray = from + 1; ray < to; ++ray) {
+            hits[ray] = {};
+            if (bare) continue;
+            hits[ray].range_m = left - static_cast<double>(to - ray) * (left - right) / steps;
+        }
+    }
+}
+
 Fan fan_of(const LaserParams& laser) {
     const double half_rad = laser.field_of_view_deg / 360.0 * kPi;
     Fan fan;

@@ -1,6 +1,8 @@
 #include "hitos/simulation/drive/simulated_tour.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
@@ -74,6 +76,44 @@ TEST(SimulatedTour, RaysWithoutAWallCanGivePointsAtTheGreatestRange) {
     for (std::size_t i = 0; i < gaps.points.size(); ++i) {
         EXPECT_EQ(full.points[gaps.rays[i]], gaps.points[i]) << "the walls are seen as before";
     }
+}
+
+TEST(SimulatedTour, RangesBetweenTracedRaysAreInterpolatedAsInStage2) {
+    World world = small_world();
+    world.walls.push_back({{1.0, -0.3}, {1.0, 0.3}});  // ranges jump at its ends
+    world.laser.max_range_m = 4.0;
+    world.laser.sigma_m = 0.0;
+    for (const int rays : {181, 180, 3}) {
+        world.laser.rays = rays;
+        const auto ranges_of = [&](int skip) {
+            world.laser.sample_skip = skip;
+            const Scan scan = SimulatedTour(world).scan(0);
+            std::vector<double> ranges(scan.fan.count, 4.0);
+            for (std::size_t i = 0; i < scan.points.size(); ++i) {
+                ranges[scan.rays[i]] = std::hypot(scan.points[i].x, scan.points[i].y);
+            }
+            return ranges;
+        };
+        const std::vector<double> all = ranges_of(1);
+        const std::vector<double> some = ranges_of(4);
+        int between = 0;
+        for (std::size_t ray = 0; ray < all.size(); ++ray) {
+            const std::size_t from = ray / 4 * 4;
+            const std::size_t to = std::min(from + 4, all.size() - 1);
+            const double part =
+                to == from ? 0.0 : static_cast<double>(ray - from) / static_cast<double>(to - from);
+            const double expected = all[from] + part * (all[to] - all[from]);
+            EXPECT_NEAR(some[ray], expected, 1e-12) << rays << " rays, ray " << ray;
+            between += std::abs(some[ray] - all[ray]) > 0.1 ? 1 : 0;
+        }
+        EXPECT_GT(between, 0) << "it draws a line across a jump";
+    }
+    // Noise does not make points of rays that have no wall on either side.
+    world.laser.rays = 181;
+    world.laser.max_range_m = 0.5;
+    world.laser.sigma_m = 0.3;
+    world.laser.sample_skip = 4;
+    EXPECT_TRUE(SimulatedTour(world).scan(0).points.empty());
 }
 
 TEST(SimulatedTour, RangesHaveTheNoiseThatWasAskedFor) {

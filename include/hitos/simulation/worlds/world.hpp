@@ -88,6 +88,7 @@ struct LaserParams {
     double mount_y_m = 0.0;
     double mount_heading_deg = 0.0;
     NoReturn no_return = NoReturn::none;
+    int sample_skip = 1;  ///< one ray in so many is traced, those between interpolated
 };
 
 /// How the range of a ray is taken from the raster.
