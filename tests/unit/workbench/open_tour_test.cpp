@@ -126,10 +126,10 @@ TEST(OpenTour, ARunOverAWorldMapsIt) {
 
 TEST(WorldFiles, FindsTheWorldsThatComeWithHitos) {
     for (const char* name : {"recinto", "lineamedia", "bigloop", "bigloop2", "complex", "iusiani",
-                             "usc-sal", "corridor", "park", "campus"}) {
+                             "usc-sal", "corridor", "corridor-cluttered", "park", "campus"}) {
         EXPECT_TRUE(std::filesystem::exists(find_world(name))) << name;
     }
-    EXPECT_EQ(shipped_worlds().size(), 10U);
+    EXPECT_EQ(shipped_worlds().size(), 11U);
     EXPECT_THROW(find_world("atlantis"), FileError);
     EXPECT_TRUE(is_world_file("a/b.TOML"));
     EXPECT_FALSE(is_world_file("a/b.log"));
