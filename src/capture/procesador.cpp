@@ -82,6 +82,7 @@ std::unique_ptr<TourReader> Procesador::reopen() const {
     auto again = std::make_unique<Procesador>(fuente_->reopen(), options_);
     again->looked_ahead_ = looked_ahead_;
     again->odometry_begin_s_ = odometry_begin_s_;
+    again->only_poses_ = only_poses_;
     return again;
 }
 
@@ -202,6 +203,14 @@ std::vector<TourFinding> Procesador::findings() const {
                                            "velocities do; all scans are put on one place")),
                          {take_velocities()}});
     }
+    if (only_poses_) {
+        found.push_back({TourFinding::Kind::no_odometry,
+                         0.0,
+                         marked(HITOS_TEXT("Errors",
+                                           "the odometry has poses and no velocities, which are "
+                                           "asked for: none of it is used")),
+                         {take_poses()}});
+    }
     return found;
 }
 
@@ -211,6 +220,7 @@ void Procesador::look_ahead() {
     Procesador ahead(fuente_->reopen(), without_look_ahead(options_));
     const std::optional<Odometria> first = ahead.next_odometry();
     if (first) odometry_begin_s_ = first->time_s;
+    only_poses_ = ahead.only_poses_;
     looked_ahead_ = true;
 }
 
@@ -269,6 +279,7 @@ std::optional<Odometria> Procesador::from_pose(const OdometryRecord& record) {
 }
 
 std::optional<Odometria> Procesador::from_velocity(const OdometryRecord& record) {
+    only_poses_ = !record.velocity && report_.odometry == 0;
     if (!record.velocity) return std::nullopt;  // a scan's pose among velocities
     if (!last_odometry_) {
         last_odometry_ = record;

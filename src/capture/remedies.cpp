@@ -114,6 +114,10 @@ Remedy take_velocities() {
             set("source.odometry", "velocities")};
 }
 
+Remedy take_poses() {
+    return {marked(HITOS_TEXT("Errors", "take the poses")), set("source.odometry", "poses")};
+}
+
 Remedy map_with_registration() {
     return {marked(HITOS_TEXT(
         "Errors", "map it with registration, which finds what is left of it: --preset recorded"))};

@@ -51,6 +51,7 @@ std::vector<Remedy> millimetres_or_centimetres(const ReadOptions& read);
 /// Where the odometry does not say how the robot moved.
 Remedy take_it_from_scans();
 Remedy take_velocities();
+Remedy take_poses();
 Remedy map_with_registration();
 
 }  // namespace hitos

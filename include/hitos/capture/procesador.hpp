@@ -91,7 +91,8 @@ class Procesador final : public TourReader {
     OdometrySteps steps_;
     bool poses_move_ = false;
     bool velocities_move_ = false;
-    double clock_s_ = 0.0;  ///< time of the last odometry reading handed out
+    bool only_poses_ = false;  ///< no reading with a velocity, where these are asked for
+    double clock_s_ = 0.0;     ///< time of the last odometry reading handed out
     bool looked_ahead_ = false;
     std::optional<double> odometry_begin_s_;  ///< once looked ahead: nothing where there is none
 };

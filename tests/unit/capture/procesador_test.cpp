@@ -87,6 +87,14 @@ TEST(Procesador, VelocitiesInsteadOfPoses) {
                                  {.odometry = OdometryFrom::velocities});
     ASSERT_EQ(carmen.odometry.size(), 2U);
     EXPECT_EQ(carmen.odometry[1].twist, (Twist{3, 0, 0}));
+    EXPECT_TRUE(carmen.findings.empty()) << carmen.findings[0].what.english();
+    // Where no line has any, nothing of the odometry is left; that is told, with the way back.
+    const Log bare = read_text("carmen", "FLASER 1 1 0 0 0 1 0 0 1.5 h 1\n",
+                               {.odometry = OdometryFrom::velocities});
+    EXPECT_TRUE(bare.odometry.empty());
+    ASSERT_EQ(bare.findings.size(), 1U);
+    EXPECT_EQ(bare.findings[0].kind, TourFinding::Kind::no_odometry);
+    ASSERT_EQ(bare.findings[0].remedies.size(), 1U);
 }
 
 /// Poses of a robot that drives a metre ahead a second; from `reset` on they begin anew at zero.
