@@ -271,13 +271,13 @@ TEST_F(ResultsFolder, ALogThatChangesMeanwhileGivesTheScansUntilThen) {
         ASSERT_EQ(shell(run(1)).status, 0);
         // It is another file, or none, from when the run has begun, however late it ends.
         Outcome outcome;
-        for (double delay = 0.5; delay < 20.0; delay *= 2.0) {
+        for (int halves = 1; halves < 40; halves *= 2) {
             folder_.put("tour.log.gz", content(log_));
             outcome =
                 shell(fmt::format("{0} run {1} --config {2} --set filter.particles=3000 --seed 2 "
                                   "--replace --out {3} & sleep "
                                   "{4}; {5}; wait $!; echo status $?",
-                                  cli_, path("tour.log.gz"), config_, path("out"), delay,
+                                  cli_, path("tour.log.gz"), config_, path("out"), halves / 2.0,
                                   fmt::format(fmt::runtime(change), path("tour.log.gz"))));
             if (outcome.output.find("status 0") == std::string::npos &&
                 outcome.output.find("there is no such file") == std::string::npos) {
