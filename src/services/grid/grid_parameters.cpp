@@ -32,6 +32,14 @@ std::span<const Parameter<GridParams>> grid_parameters() {
              HITOS_TEXT("Parameter",
                         "Rays are drawn up to this length, so a higher value draws more of the far "
                         "readings; 0 draws them whole.")}),
+        choice<&GridParams::path_marks>(
+            {"grid.path_marks", HITOS_TEXT("ParameterLabel", "Ends of the path"),
+             HITOS_TEXT("Parameter",
+                        "How the pictures of grids that a run leaves mark where the path begins "
+                        "and where it ends: by discs, green and blue, or by an X and an O as the "
+                        "thesis prints them.")},
+            {{"discs", HITOS_TEXT("ParameterChoice", "Discs")},
+             {"x-and-o", HITOS_TEXT("ParameterChoice", "X and O")}}),
     };
     return table;
 }

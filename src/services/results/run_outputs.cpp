@@ -114,6 +114,7 @@ RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
         PictureStyle style;
         style.scale = picture_scale(image.picture);
         style.scale_bar = true;
+        style.marks = finished.run.configuration().grid.path_marks;
         for (const StampedPose& stamped : path_of(finished)) {
             style.path.push_back({stamped.pose.x, stamped.pose.y});
         }

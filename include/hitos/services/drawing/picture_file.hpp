@@ -26,12 +26,6 @@ MapImage fitted(MapImage image, std::string_view kind);
 /// The grid, a pixel a cell.
 MapImage map_image(const Grid& grid);
 
-/// How the two ends of a path are marked.
-enum class PathMarks {
-    discs,          ///< start a green disc, end a blue one
-    cross_and_ring  ///< start a green X, end a blue O, as in the thesis
-};
-
 struct PictureStyle {
     int scale = 1;             ///< pixels per cell, 1 … kGreatestPictureScale
     std::vector<Point2> path;  ///< world [m]; drawn in red

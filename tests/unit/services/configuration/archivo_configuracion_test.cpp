@@ -288,6 +288,8 @@ TEST(ShippedConfigurations, ThesisIsTheTableOfTheThesis) {
     const Configuracion c = ArchivoConfiguracion::read(shipped("thesis.cfg"));
     Configuracion expected;  // [T table 10.17]
     expected.source.world_set = "laser.sigma=0.003";
+    expected.source.read.odometry = OdometryFrom::velocities;  // [T 1.3, 9.2.2]
+    expected.grid.path_marks = PathMarks::cross_and_ring;      // as its figures have them
     expected.filter.particles = 100;
     expected.filter.resampling.rule = ResamplingRule::always;
     expected.filter.association.p0 = 0.005;

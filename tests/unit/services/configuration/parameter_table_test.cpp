@@ -44,7 +44,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 105U);
+    EXPECT_EQ(keys.size(), 106U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
@@ -285,7 +285,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.extraction.corner_angle_rad = 0.5;
     c.extraction.corner_lines = CornerLines::fitted;
     c.registration = {1.81, 82, 0.83, 0.84, 0.85, 0.86, false, false, false, false, 0.87, 8, 89};
-    c.grid = {0.61, 0.62, -0.63, 6.4, 6.5};
+    c.grid = {0.61, 0.62, -0.63, 6.4, 6.5, PathMarks::cross_and_ring};
     const std::map<std::string_view, std::string> expected = {
         {"source.file", "a.log"},
         {"source.format", "carmen"},
@@ -391,7 +391,8 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"grid.hit", "0.62"},
         {"grid.miss", "-0.63"},
         {"grid.limit", "6.4"},
-        {"grid.max_range", "6.5"}};
+        {"grid.max_range", "6.5"},
+        {"grid.path_marks", "x-and-o"}};
     for (const ConfigParameter& parameter : make_parameter_table()) {
         const auto entry = expected.find(parameter.key);
         ASSERT_NE(entry, expected.end()) << parameter.key;
