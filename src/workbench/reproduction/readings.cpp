@@ -13,7 +13,7 @@
 namespace hitos {
 namespace {
 
-constexpr std::string_view kAsPublished = "fitted-no-rest-2-pixels";
+constexpr std::string_view kAsPublished = "thin-interpolated-3-hz";
 
 /// A reading by what it adds to one before it.
 struct ReadingStep {
@@ -28,6 +28,7 @@ struct ReadingStep {
 
 std::vector<Reading> make_readings() {
     constexpr double kTwoReadings = 1.4142135623730951;
+    constexpr double kFiveReadings = 2.23606797749979;
     constexpr auto kSteps = std::to_array<ReadingStep>({
         {"", "plain",
          "the worlds as they are: exact walls, 3 mm of noise, 5 s at rest, then northwards"},
@@ -63,6 +64,51 @@ std::vector<Reading> make_readings() {
         {"stage", "stage-no-rest", "`stage`, and the robot leaves at once", "tour.rest=0"},
         {"stage-no-rest", "stage-no-rest-361-rays", "`stage-no-rest` with a ray every half degree",
          "laser.rays=361"},
+        // Stage 2 in the state of August 2007: docs/simulation.md, "Which Stage".
+        {"no-rest", "interpolated",
+         "`no-rest`, a ray every half degree of which one in four is traced and those between are "
+         "interpolated, as Stage 2 can; no noise of ranges",
+         "laser.rays=361 laser.sample_skip=4 laser.sigma=0"},
+        {"interpolated", "interpolated-3-mm", "`interpolated` with 3 mm of noise",
+         "laser.sigma=0.003"},
+        {"fitted-no-rest", "fitted-interpolated", "`fitted-no-rest` with that laser",
+         "laser.rays=361 laser.sample_skip=4"},
+        {"fitted-no-rest-2-pixels", "thin-interpolated", "`fitted-no-rest-2-pixels` with it",
+         "laser.rays=361 laser.sample_skip=4"},
+        {"thin-interpolated", "thin-interpolated-181-rays",
+         "`thin-interpolated` with a ray a degree, every second traced",
+         "laser.rays=181 laser.sample_skip=2"},
+        {"thin-interpolated", "thin-interpolated-3-hz",
+         "`thin-interpolated` with a scan at every third of Stage's steps of 100 ms",
+         "laser.rate=3.3333"},
+        {"thin-interpolated", "thin-interpolated-2-hz", "`thin-interpolated` with 2 scans a second",
+         "laser.rate=2"},
+        {"thin-interpolated-2-hz", "thin-interpolated-2-hz-faster",
+         "the same, the robot quicker by a fifth",
+         "robot.max_speed=0.6 robot.max_turn_rate=0.6 robot.acceleration=0.48 "
+         "robot.turn_acceleration=1.2"},
+        {"fitted-no-rest-2-pixels", "thin-2-hz-per-reading",
+         "`fitted-no-rest-2-pixels` with 2 scans a second and motion noise for every odometry "
+         "reading, five a scan",
+         "laser.rate=2", 0.0, kFiveReadings},
+        {"thin-interpolated-2-hz", "thin-interpolated-2-hz-per-reading",
+         "the same with the interpolated laser", "", 0.0, kFiveReadings},
+        {"fitted-no-rest-2-pixels", "thin-odometry-2-hz",
+         "`fitted-no-rest-2-pixels`, the odometry read, and disturbed, twice a second",
+         "odometry.rate=2"},
+        {"thin-interpolated", "thin-interpolated-odometry-2-hz",
+         "the same with the interpolated laser", "odometry.rate=2"},
+        {"fitted-no-rest-2-pixels", "thin-odometry-noise-0.2",
+         "`fitted-no-rest-2-pixels`, odometry noise of 20 %", "odometry.noise=0.2"},
+        {"thin-interpolated", "thin-interpolated-odometry-noise-0.2",
+         "the same with the interpolated laser", "odometry.noise=0.2"},
+        {"fitted-no-rest-2-pixels", "thin-odometry-variance",
+         "`fitted-no-rest-2-pixels`, the odometry's noise alone a variance, of 0.03 times the "
+         "speed",
+         "odometry.noise=0.03 odometry.noise_kind=variance"},
+        {"thin-interpolated", "thin-interpolated-odometry-variance",
+         "the same with the interpolated laser",
+         "odometry.noise=0.03 odometry.noise_kind=variance"},
         {"plain", "variances", "the thesis's words: motion and odometry noise are variances", "",
          0.0, 1.0, true},
         {"plain", "far-points", "rays without return are points at 8 m",

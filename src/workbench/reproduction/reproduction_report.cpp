@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "hitos/base/text_table.hpp"
 #include "hitos/workbench/reproduction.hpp"
 #include "reproduction_parts.hpp"
 #include "reproduction_remarks.hpp"
@@ -100,12 +101,12 @@ std::string reproduction_csv(const Reproduction& reproduction) {
                                     error->minimum, error->maximum)
                       : std::string(row.finished > 0 ? "inf,,,," : ",,,,");
             const auto yes_no = [](bool value) { return value ? "yes" : "no"; };
-            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n",
+            text += fmt::format("{},{},{},{},{},{},{},{},{},",
                                 row.landmarks ? fmt::format("{}", row.landmarks->mean) : "",
                                 figure.true_landmarks, row.finished, row.failed, row.bare,
                                 yes_no(row.in_range), yes_no(row.verdict.error_near),
-                                yes_no(row.verdict.landmarks_near), yes_no(row.verdict.error_met),
-                                row.verdict.difference, row.verdict.words);
+                                yes_no(row.verdict.landmarks_near), yes_no(row.verdict.error_met));
+            text += csv_line({row.verdict.difference, row.verdict.words});
         }
     }
     return text;
