@@ -2870,6 +2870,14 @@
         <source>the reference trajectory is not one of this tour: %1 of %2 poses have one of it within %3 s; the tour goes from second %4 to %5, the reference from %6 to %7; expected the true path of this very tour, of a tenth of its time at least, with stamps of the same clock in seconds (hitos-cli run and evaluate take poses that are further away with --tolerance)</source>
         <translation>la trayectoria de referencia no es de este recorrido: %1 de %2 poses tienen una de ella a menos de %3 s; el recorrido va del segundo %4 al %5, la referencia del %6 al %7; se esperaba el camino verdadero de este mismo recorrido, de una décima parte de su tiempo al menos, con marcas del mismo reloj en segundos (hitos-cli run y evaluate toman poses más alejadas con --tolerance)</translation>
     </message>
+    <message>
+        <source>the odometry has poses and no velocities, which are asked for: none of it is used</source>
+        <translation>la odometría tiene poses y no velocidades, que son las que se piden: no se usa nada de ella</translation>
+    </message>
+    <message>
+        <source>take the poses</source>
+        <translation>tome las poses</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -3660,6 +3668,14 @@
         <source>%1 and %2 more</source>
         <translation>%1 y %2 más</translation>
     </message>
+    <message>
+        <source>How the pictures of grids that a run leaves mark where the path begins and where it ends: by discs, green and blue, or by an X and an O as the thesis prints them.</source>
+        <translation>Cómo señalan las imágenes de rejilla que deja una ejecución dónde empieza y dónde acaba el camino: con discos, verde y azul, o con una X y una O como las imprime la tesis.</translation>
+    </message>
+    <message>
+        <source>one ray in so many is traced and the ranges between are interpolated, as Stage 2 does; 1: all</source>
+        <translation>uno de cada tantos rayos se traza y las distancias intermedias se interpolan, como hace Stage 2; 1: todos</translation>
+    </message>
 </context>
 <context>
     <name>ParameterChoice</name>
@@ -3910,6 +3926,14 @@
     <message>
         <source>With Neff threshold</source>
         <translation>Con umbral Neff</translation>
+    </message>
+    <message>
+        <source>Discs</source>
+        <translation>Discos</translation>
+    </message>
+    <message>
+        <source>X and O</source>
+        <translation>X y O</translation>
     </message>
 </context>
 <context>
@@ -4488,6 +4512,14 @@
     <message>
         <source>Loss where looked through</source>
         <translation>Pérdida al verse a través</translation>
+    </message>
+    <message>
+        <source>Ends of the path</source>
+        <translation>Extremos del camino</translation>
+    </message>
+    <message>
+        <source>Rays traced: one in</source>
+        <translation>Rayos trazados: uno de cada</translation>
     </message>
 </context>
 <context>
