@@ -73,7 +73,9 @@ TEST(Cli, TheSavedConfigurationRepeatsTheRunForAnyNumberOfThreads) {
     const std::string tour = kSource + "/data/worlds/corridor.toml";
     const std::string first = (folder / "first").string();
     const Outcome alone = cli("run " + tour + quick() +
-                              "--set filter.particles=600 --seed 7 --threads 1 --out " + first);
+                              "--set filter.particles=600 --world-set laser.rate=2 --seed 7 "
+                              "--threads 1 --out " +
+                              first);
     ASSERT_EQ(alone.status, 0) << alone.output;
     for (const int threads : {2, 7}) {
         const std::string again = (folder / std::to_string(threads)).string();
