@@ -13,8 +13,12 @@ namespace {
 
 constexpr double kHalf = 0.5;  // of a cell, in its axis's numbers
 
-QString as_written(const Measure& measure, double mean) {
-    return QString::fromStdString(measure.rounded(mean, true));
+/// With as many decimals as the tables have, and more where the cells' means lie closer.
+QString as_written(const Measure& measure, double mean, double span) {
+    constexpr double kMost = 6.0;
+    const double two_digits = std::min(1.0 - std::floor(std::log10(span)), kMost);
+    const int usual = measure.decimals + (measure.is_count() ? 1 : 0);
+    return QString::number(mean, 'f', std::max(usual, static_cast<int>(two_digits)));
 }
 
 /// What can be read on a cell of that colour.
@@ -224,7 +228,7 @@ void StudyHeat::show_results(const StudyPlan& plan, const std::vector<StudyCell>
         shown.failed = cell.finished == 0 && cell.failed > 0;
         if (const auto& figures = cell.figures[measure]) {
             shown.share = (figures->mean - least) / span;
-            shown.words = as_written(measure, figures->mean);
+            shown.words = as_written(measure, figures->mean, span);
         }
     }
     cells_->rows = plan.axes[1].values.size();
@@ -237,7 +241,7 @@ void StudyHeat::show_results(const StudyPlan& plan, const std::vector<StudyCell>
     auto ends = QSharedPointer<QCPAxisTickerText>::create();
     if (any) {
         for (const double end : {least, greatest})
-            ends->addTick(end, (as_written(measure, end) + ' ' + unit).trimmed());
+            ends->addTick(end, (as_written(measure, end, span) + ' ' + unit).trimmed());
         scale_->setDataRange({least, least + span});
     }
     scale_->axis()->setTicker(ends);
