@@ -74,7 +74,8 @@ void Procesador::restart() {
     clock_ = ScanClock(options_.scan_clock);
     axes_ = OdometryAxes(options_.odometry_axes);
     steps_ = {};
-    poses_move_ = velocities_move_ = false;
+    moved_ = poses_move_ = velocities_move_ = false;
+    first_pose_.reset();
     clock_s_ = 0.0;
 }
 
@@ -194,18 +195,28 @@ std::vector<TourFinding> Procesador::findings() const {
                                  "(time_increment)"))}}});
     }
     steps_.tell(found, options_);
-    if (velocities_move_ && !poses_move_ && report_.odometry > 1 &&
-        options_.odometry == OdometryFrom::poses) {
-        found.push_back({TourFinding::Kind::still_odometry,
-                         0.0,
-                         marked(HITOS_TEXT("Errors",
-                                           "the odometry's poses never change although its "
-                                           "velocities do; all scans are put on one place")),
-                         {take_velocities()}});
+    const auto still = [&](OdometryFrom asked, Message what, Remedy remedy) {
+        if (options_.odometry != asked || moved_ || report_.odometry < 2) return;
+        found.push_back(
+            {TourFinding::Kind::still_odometry, 0.0, std::move(what), {std::move(remedy)}});
+    };
+    if (velocities_move_) {
+        still(OdometryFrom::poses,
+              marked(HITOS_TEXT("Errors",
+                                "the odometry's poses never change although its velocities do; all "
+                                "scans are put on one place")),
+              take_velocities());
+    }
+    if (poses_move_) {
+        still(OdometryFrom::velocities,
+              marked(HITOS_TEXT("Errors",
+                                "the odometry's velocities are 0 although its poses change; all "
+                                "scans are put on one place")),
+              take_poses());
     }
     if (only_poses_) {
         found.push_back({TourFinding::Kind::no_odometry,
-                         0.0,
+                         static_cast<double>(report_.scans),
                          marked(HITOS_TEXT("Errors",
                                            "the odometry has poses and no velocities, which are "
                                            "asked for: none of it is used")),
@@ -250,6 +261,10 @@ std::optional<Odometria> Procesador::next_odometry() {
             constexpr double kMoves = 1e-3;  // [m/s]; rounding does not
             velocities_move_ =
                 velocities_move_ || (record->velocity && std::abs(record->velocity->v) > kMoves);
+            if (record->pose_odom_robot) {
+                if (!first_pose_) first_pose_ = record->pose_odom_robot;
+                poses_move_ = poses_move_ || *record->pose_odom_robot != *first_pose_;
+            }
             const std::optional<Odometria> reading =
                 by_pose ? from_pose(*record) : from_velocity(*record);
             if (reading) return reading;
@@ -297,7 +312,7 @@ std::optional<Odometria> Procesador::from_velocity(const OdometryRecord& record)
 
 Odometria Procesador::hand_out(double time_s, Twist twist, std::uint64_t line) {
     clock_s_ = time_s;
-    if (twist != Twist{}) poses_move_ = true;
+    if (twist != Twist{}) moved_ = true;
     turn(twist, options_.odometry_turns);
     ++report_.odometry;
     return {time_s, twist, line};

@@ -110,7 +110,9 @@ void ScanOdometry::note(const Pose& step, double seconds) {
 std::vector<TourFinding> ScanOdometry::findings() const {
     constexpr std::uint64_t kOneFarIn = 20;
     std::vector<TourFinding> found = tour_->findings();
-    if (scans_ < 2) return found;
+    // Where there is odometry that is not used, the log's own reader has told it, and the way back.
+    if (scans_ < 2 || std::ranges::count(found, TourFinding::Kind::no_odometry, &TourFinding::kind))
+        return found;
     const double rate = static_cast<double>(scans_ - 1) / (last_s_ - *first_s_);
     const double rounded = std::round(rate * 10.0) / 10.0;
     const auto note = [&](Message what, Message remedy) {

@@ -402,9 +402,10 @@ void ContactTest::the_source_decides_the_parameters_until_the_user_does() {
     ConfigurationActions& actions = f.window->configuration_actions();
     actions.start_or_warn({});  // the ready tour, with the thesis's preset
     const auto is = [&f](Configuracion wanted) {
-        const std::string world_set = wanted.source.world_set;
+        const SourceParams brought = wanted.source;
         wanted.source = f.session.configuration().source;
-        wanted.source.world_set = world_set;
+        wanted.source.world_set = brought.world_set;
+        wanted.source.read.odometry = brought.read.odometry;
         wanted.run = f.session.configuration().run;
         return ArchivoConfiguracion::to_text(wanted) ==
                ArchivoConfiguracion::to_text(f.session.configuration());

@@ -194,9 +194,7 @@ void SourceTest::topics_of_another_recording_are_forgotten() {
     QCOMPARE(dialog.source().read, source.read);
     QVERIFY(dialog.findChild<QCheckBox*>("how")->isChecked());
     dialog.set_path("/nowhere/tour.bag");
-    ReadOptions other;
-    other.odometry = OdometryFrom::velocities;
-    QCOMPARE(dialog.source().read, other);
+    QCOMPARE(dialog.source().read, ReadOptions());
     dialog.set_path(QString::fromStdString(source.file));
     QCOMPARE(dialog.source().read, source.read);
     wait_for_check(dialog);

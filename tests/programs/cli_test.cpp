@@ -89,6 +89,23 @@ TEST(Cli, TheSavedConfigurationRepeatsTheRunForAnyNumberOfThreads) {
     }
 }
 
+TEST(Cli, GridsMarkTheEndsOfThePathAsIsAsked) {
+    const TempFolder folder;
+    const auto left = [&folder](const std::string& marks, const char* name) {
+        return content(folder / marks / name);
+    };
+    for (const std::string marks : {"discs", "x-and-o"}) {
+        const Outcome outcome =
+            cli(fmt::format("run {}/data/worlds/corridor.toml{}--set grid.path_marks={} --out {}",
+                            kSource, quick(), marks, (folder / marks).string()));
+        ASSERT_EQ(outcome.status, 0) << outcome.output;
+    }
+    EXPECT_EQ(left("discs", "map.txt"), left("x-and-o", "map.txt"));
+    for (const char* grid : {"grid_best.png", "grid_best.jpg", "grid_odometry.png"}) {
+        EXPECT_NE(left("discs", grid), left("x-and-o", grid)) << grid;
+    }
+}
+
 TEST(Cli, ConvertWritesEveryFormatAndTheMapsAgree) {
     const TempFolder folder;
     std::vector<std::size_t> landmarks;

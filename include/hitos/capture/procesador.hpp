@@ -89,8 +89,10 @@ class Procesador final : public TourReader {
     ScanClock clock_;
     OdometryAxes axes_;
     OdometrySteps steps_;
+    bool moved_ = false;  ///< some reading that was handed out
     bool poses_move_ = false;
     bool velocities_move_ = false;
+    std::optional<Pose> first_pose_;
     bool only_poses_ = false;  ///< no reading with a velocity, where these are asked for
     double clock_s_ = 0.0;     ///< time of the last odometry reading handed out
     bool looked_ahead_ = false;

@@ -104,11 +104,10 @@ struct ReadOptions {
     friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
 
-/// For another recording: what was said of this one alone, its topics, clocks, mounting, units, is
-/// not said of that one.
+/// For another recording: what was said of this one alone, its topics, clocks, mounting, units,
+/// which of its odometry is right, is not said of that one.
 inline ReadOptions for_another_recording(const ReadOptions& read) {
     ReadOptions other;
-    other.odometry = read.odometry;
     other.leave_out_early_scans = read.leave_out_early_scans;
     other.mend = read.mend;
     return other;

@@ -125,7 +125,7 @@ std::vector<WorldKey> make_keys() {
             {"laser.sample_skip", "", 1, 1000, HITOS_TEXT("ParameterLabel", "Rays traced: one in"),
              HITOS_TEXT("Parameter",
                         "one ray in so many is traced and the ranges between are interpolated, as "
-                        "Stage 2 does; 1: all")}),
+                        "Stage 2 can; 1: all")}),
         real<&W::raster, &Raster::cell_m>(
             {"raster.cell", "m", 0, 1, HITOS_TEXT("ParameterLabel", "Cell"),
              HITOS_TEXT("Parameter", "cells in which the laser sees the walls; 0: none")}),

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "hitos/base/text_table.hpp"
 #include "reproduction_parts.hpp"
@@ -242,16 +243,16 @@ std::vector<Reading> close_readings(std::span<const Reproduction> tried) {
 std::string readings_text(const Reproduction& reproduction, std::span<const Reproduction> tried) {
     if (tried.empty()) return "";
     const Reproduction* published = nullptr;
-    const Reproduction* best = nullptr;  // of those that were looked at most closely
+    const Reproduction* best = &reproduction;  // of those that were looked at most closely
     std::string once;
     std::string closely;
     for (const Reproduction& reading : tried) {
         (reading.runs > reproduction.runs ? closely : once) += reading_row(reading);
         if (reading.reading.name == reading_as_published().name) published = &reading;
-        if (best == nullptr || reading.runs > best->runs ||
-            score_of(reading, true) > score_of(*best, true)) {
-            best = &reading;
-        }
+        const auto standing = [](const Reproduction& one) {
+            return std::pair(one.runs, score_of(one, true));
+        };
+        if (standing(reading) > standing(*best)) best = &reading;
     }
     std::string text = fmt::format(
         "## Readings that were tried\n\nEach reading supposes something that the thesis does not "
@@ -263,9 +264,10 @@ std::string readings_text(const Reproduction& reproduction, std::span<const Repr
         "those outside it that have the same tendency. The reading to recommend is the one with "
         "the greatest score on {}; on the other worlds it is judged. Runs scatter: the readings "
         "within five points of the best are run again, four times as often, and the best of these "
-        "counts. The rule was laid down, and the worlds parted, before any reading with an "
-        "interpolated laser was run on them; those without one were known before, from all "
-        "worlds.\n\n{}",
+        "counts. The rule was laid down, and the worlds parted, before the readings with an "
+        "interpolated laser were run; that one ray in four is traced was known from a trial on "
+        "the rows of 3 and 5 points of all worlds, and the readings without it from all rows, so "
+        "that the other worlds are not wholly new to it.\n\n{}",
         reproduction.runs, reading_as_published().name, fmt::join(kChosenOn, ", "), kReadingsHead);
     text += reading_row(reproduction) + once + '\n';
     if (!closely.empty()) {

@@ -71,6 +71,15 @@ TEST(Procesador, StampsThatDoNotAdvanceArePutAMillisecondLater) {
     EXPECT_NEAR(test::summed(log.odometry).back().x, 3.0, 1e-12);
 }
 
+/// Poses of a robot that drives a metre ahead a second; from `reset` on they begin anew at zero.
+std::string poses(int count, int reset, double scale = 1.0) {
+    std::string text;
+    for (int i = 0; i < count; ++i) {
+        text += position(i, scale * (i < reset ? i : i - reset));
+    }
+    return text;
+}
+
 TEST(Procesador, VelocitiesInsteadOfPoses) {
     const std::string text = position(1, 0, 9) + position(2, 1, 0.5) + position(2, 1, 0.5) +
                              position(1.5, 1, 0.7) + position(3, 2, 0.25);
@@ -95,15 +104,12 @@ TEST(Procesador, VelocitiesInsteadOfPoses) {
     ASSERT_EQ(bare.findings.size(), 1U);
     EXPECT_EQ(bare.findings[0].kind, TourFinding::Kind::no_odometry);
     ASSERT_EQ(bare.findings[0].remedies.size(), 1U);
-}
-
-/// Poses of a robot that drives a metre ahead a second; from `reset` on they begin anew at zero.
-std::string poses(int count, int reset, double scale = 1.0) {
-    std::string text;
-    for (int i = 0; i < count; ++i) {
-        text += position(i, scale * (i < reset ? i : i - reset));
-    }
-    return text;
+    // And where they are logged as 0 while the poses move, as by many drivers.
+    const Log still = read_text("radish", poses(5, 5), {.odometry = OdometryFrom::velocities});
+    ASSERT_EQ(still.findings.size(), 1U);
+    EXPECT_EQ(still.findings[0].kind, TourFinding::Kind::still_odometry);
+    EXPECT_THAT(options_of(still.findings[0].remedies[0].settings), HasSubstr("odometry=poses"));
+    EXPECT_TRUE(read_text("radish", poses(5, 5)).findings.empty());
 }
 
 TEST(Procesador, ALeapOfTheOdometryIsBridgedAndTold) {

@@ -108,6 +108,25 @@ TEST(SimulatedTour, RangesBetweenTracedRaysAreInterpolatedAsInStage2) {
         }
         EXPECT_GT(between, 0) << "it draws a line across a jump";
     }
+    // A ray measured later is interpolated as well, and a point at the greatest range stays one.
+    for (const char* also : {"laser.sweep=on", "laser.no_return=max-range"}) {
+        World other = world;
+        other.laser.rays = 181;
+        set_world_value(other, also);
+        other.laser.sample_skip = 1;
+        const Scan all = SimulatedTour(other).scan(0);
+        other.laser.sample_skip = 4;
+        const Scan some = SimulatedTour(other).scan(0);
+        for (std::size_t i = 0; i < all.points.size(); ++i) {
+            const auto same = std::ranges::find(some.rays, all.rays[i]);
+            if (all.rays[i] % 4 != 0) continue;
+            ASSERT_NE(same, some.rays.end()) << also << ", ray " << all.rays[i];
+            EXPECT_EQ(some.points[static_cast<std::size_t>(same - some.rays.begin())],
+                      all.points[i]);
+        }
+        EXPECT_GE(some.points.size(), all.points.size()) << also;
+        EXPECT_NE(some.points, all.points) << also;
+    }
     // Noise does not make points of rays that have no wall on either side.
     world.laser.rays = 181;
     world.laser.max_range_m = 0.5;

@@ -5,11 +5,13 @@
 
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/workbench/reproduction.hpp"
 #include "hitos/workbench/shipped_data.hpp"
+#include "reproduction/reproduction_remarks.hpp"
 #include "support.hpp"
 
 namespace hitos {
@@ -127,6 +129,34 @@ TEST(Readings, AreSetAgainstEachOtherRowByRow) {
                         "4 | 33.3 % | – | "),
               std::string::npos)
         << both;
+}
+
+TEST(Readings, ThatAreCloseToTheBestAreLookedAtMoreClosely) {
+    const Reproduction plain = small_reproduction(0.10, 24.0);
+    Reproduction published = small_reproduction(0.18, 24.0);
+    published.reading = reading_as_published();
+    Reproduction poor = small_reproduction(0.10, 24.0);
+    poor.reading = find_reading("stage");
+    const std::vector<Reproduction> once = {poor, published};
+    const std::vector<Reading> close = close_readings(once);
+    ASSERT_EQ(close.size(), 1U) << "66.7 % of the working range, and 33.3 %";
+    EXPECT_EQ(close[0].name, reading_as_published().name);
+
+    Reproduction closely = published;
+    closely.runs = 4;
+    std::vector<Reproduction> tried = {poor, published, closely};
+    const std::string best = reproduction_markdown(plain, "plots", tried);
+    EXPECT_NE(best.find("The closest, 4 runs of each:"), std::string::npos) << best;
+    EXPECT_NE(best.find("No other reading has a greater score"), std::string::npos) << best;
+    // One that is better counts where it was looked at as closely, and only there.
+    poor.figures = small_reproduction(0.18, 22.0).figures;
+    tried[0] = poor;
+    EXPECT_NE(reproduction_markdown(plain, "plots", tried).find("No other reading"),
+              std::string::npos);
+    poor.runs = 4;
+    tried.push_back(poor);
+    EXPECT_NE(reproduction_markdown(plain, "plots", tried).find("`stage` has a greater score"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -50,6 +50,14 @@ QString suited_words(std::string_view preset) {
     return why.arg(translated("Preset", find_preset(preset).label));
 }
 
+/// The source as it is, but for what a preset brings of one.
+SourceParams with_preset(const SourceParams& source, const SourceParams& preset) {
+    SourceParams both = source;
+    both.world_set = preset.world_set;
+    both.read.odometry = preset.read.odometry;
+    return both;
+}
+
 QString sentences(QStringList parts) {
     parts.removeAll(QString());
     return parts.join(QStringLiteral(". "));
@@ -252,8 +260,7 @@ QString ConfigurationActions::suit(Configuracion& next, const std::string& file)
     try {
         Configuracion suited = suited_configuration(file);
         suited.run = next.run;
-        suited.source = next.source;
-        suited.source.world_set.clear();  // if there was any, a preset had brought it
+        suited.source = with_preset(next.source, suited.source);
         next = suited;
         return suited_words(suited_preset(file));
     } catch (const Error&) {  // without the presets' files the parameters stay
@@ -353,9 +360,7 @@ void ConfigurationActions::use_preset(std::string_view word, bool confirmed) {
         prompts_.warn(window_, tr("The configuration was not loaded"), words_of(error));
         return;
     }
-    const std::string world_set = next.source.world_set;
-    next.source = session_.configuration().source;
-    next.source.world_set = world_set;
+    next.source = with_preset(session_.configuration().source, next.source);
     const QString name = translated("Preset", find_preset(word).label);
     if (!confirmed &&
         !prompts_.confirm(window_, {tr("Preset"), tr("Replace the configuration by %1?").arg(name),

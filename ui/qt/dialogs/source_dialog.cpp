@@ -134,7 +134,9 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
     ReadOptions set = source_.read;
     set.scan_topic.clear();
     set.odom_topic.clear();
-    ui_->how->setChecked(set != for_another_recording(set));
+    ReadOptions usual = for_another_recording(set);
+    usual.odometry = set.odometry;  // which a preset says too
+    ui_->how->setChecked(set != usual);
     begin_check();
     fit_to_screen(*this);
 }

@@ -2878,6 +2878,10 @@
         <source>take the poses</source>
         <translation>tome las poses</translation>
     </message>
+    <message>
+        <source>the odometry&apos;s velocities are 0 although its poses change; all scans are put on one place</source>
+        <translation>las velocidades de la odometría son 0 aunque sus poses cambian; todos los barridos se ponen en un mismo lugar</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -3673,8 +3677,8 @@
         <translation>Cómo señalan las imágenes de rejilla que deja una ejecución dónde empieza y dónde acaba el camino: con discos, verde y azul, o con una X y una O como las imprime la tesis.</translation>
     </message>
     <message>
-        <source>one ray in so many is traced and the ranges between are interpolated, as Stage 2 does; 1: all</source>
-        <translation>uno de cada tantos rayos se traza y las distancias intermedias se interpolan, como hace Stage 2; 1: todos</translation>
+        <source>one ray in so many is traced and the ranges between are interpolated, as Stage 2 can; 1: all</source>
+        <translation>uno de cada tantos rayos se traza y las distancias intermedias se interpolan, como puede hacer Stage 2; 1: todos</translation>
     </message>
 </context>
 <context>

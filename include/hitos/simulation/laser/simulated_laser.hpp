@@ -39,10 +39,10 @@ class SimulatedLaser {
 /// Cosine and sine of every ray of a laser that is turned so far: they are the same in every scan.
 std::vector<Point2> ray_directions(const Fan& fan, double turned_rad, double step_rad);
 
-/// What Stage 2 does with `laser_sample_skip` n (libstage 2.0.4, model_laser.c): the first hit of
-/// every n stays, and the last of all; the ranges between two that stay lie on a straight line from
-/// one to the other, where a ray without return has `max_range_m`. Between two of those there is
-/// none either. n >= 1; 1 changes nothing.
+/// What Stage 2 does with `laser_sample_skip` n (libstage 2.0.3, model_laser.c): the first hit of
+/// every n stays, and the last of all, which Stage leaves at 0; the ranges between two that stay
+/// lie on a straight line from one to the other, where a ray without return has `max_range_m`.
+/// Between two of those there is none either. n >= 1; 1 changes nothing.
 void interpolate(std::span<RayHit> hits, int n, double max_range_m);
 
 /// The fan of the world's laser.
