@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/run/run_worker.hpp"
@@ -92,6 +94,12 @@ TEST_P(AssociationRecords, AreTheDecisionsOfTheRunAndLeaveItAsItWas) {
         ASSERT_NE(record, nullptr);
         const std::vector<RecordedFeature>& best = record->hypotheses.at(record->best);
         ASSERT_EQ(best.size(), snapshot->associations.size());
+        // P(d^2 <= g) = 1 - exp(-g / 2).
+        const double new_gate =
+            -2.0 * std::log1p(-configuration.filter.association.new_probability);
+        EXPECT_EQ(record->new_gate, configuration.filter.algorithm == "fastslam"
+                                        ? std::nullopt
+                                        : std::optional(new_gate));
         for (std::size_t i = 0; i < best.size(); ++i) {
             const Association& told = snapshot->associations[i];
             EXPECT_EQ(best[i].decision.kind, told.kind);

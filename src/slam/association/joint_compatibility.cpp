@@ -67,7 +67,6 @@ void JointSearch::prepare() {
     }
     chosen_.assign(count, kNone);
     best_.assign(count, kNone);
-    pairs_ = 0;
     best_pairs_ = 0;
     best_distance_ = 0.0;
     nodes_ = 0;

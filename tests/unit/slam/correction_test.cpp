@@ -225,6 +225,26 @@ TEST(Correction, LandmarksLaidUponEachOtherBecomeOne) {
     }
 }
 
+TEST(Correction, APieceThatWasTakenInReachesToTheNextOne) {
+    for (const char* algorithm : {"fastslam", "ekf-slam"}) {
+        const auto filter = after_a_loop(algorithm, -0.5, 2.0);
+        std::vector<Pose> motions{{}, {}, {-0.8, 0.0, 0.0}};
+        filter->correct({motions, {}, {}});
+        ASSERT_EQ(filter->best_count(FeatureKind::line), 2) << algorithm;
+        RegisteredStep step;
+        step.before = {0.2, 0.0, 0.0};
+        step.pose = {1.0, 0.0, 0.0};
+        step.path_m = 1.0;
+        Observation beyond;  // 0.8 m off once more, 0.3 m beyond the second piece, 1.3 m the first
+        add_wall(beyond, 3.8, 2.3, 3.0);
+        feed_registered(*filter, step, beyond);
+        ASSERT_EQ(filter->best_count(FeatureKind::line), 3) << algorithm;
+        motions = {{}, {}, {}, {-0.8, 0.0, 0.0}};
+        filter->correct({motions, {}, {}});
+        EXPECT_EQ(filter->best_count(FeatureKind::line), 2) << algorithm;
+    }
+}
+
 TEST(Correction, PiecesWithAGapBetweenThemStayTwo) {
     for (const char* algorithm : {"fastslam", "ekf-slam"}) {
         for (const auto& [gap, lines] : {std::pair{0.4, 2}, std::pair{0.6, 3}}) {
