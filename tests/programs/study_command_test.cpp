@@ -30,7 +30,11 @@ class StudyCommand : public test::ProgramTest {
 };
 
 TEST_F(StudyCommand, IsWhatConvertAndRunGive) {
-    ASSERT_EQ(shell(study("--vary dmax=0.02 --seed 3 --runs 1 --out " + path("study"))).status, 0);
+    // What is converted is the poses.
+    ASSERT_EQ(shell(study("--set source.odometry=poses --vary dmax=0.02 --seed 3 --runs 1 --out " +
+                          path("study")))
+                  .status,
+              0);
     ASSERT_EQ(shell(cli_ + " convert " + log_ + " --to normalized --odometry-noise 0.1 --seed 3 " +
                     "--out " + path("noisy.log"))
                   .status,
