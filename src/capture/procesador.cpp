@@ -74,7 +74,7 @@ void Procesador::restart() {
     clock_ = ScanClock(options_.scan_clock);
     axes_ = OdometryAxes(options_.odometry_axes);
     steps_ = {};
-    moved_ = poses_move_ = velocities_move_ = false;
+    poses_move_ = velocities_move_ = false;
     first_pose_.reset();
     clock_s_ = 0.0;
 }
@@ -196,18 +196,18 @@ std::vector<TourFinding> Procesador::findings() const {
     }
     steps_.tell(found, options_);
     const auto still = [&](OdometryFrom asked, Message what, Remedy remedy) {
-        if (options_.odometry != asked || moved_ || report_.odometry < 2) return;
+        if (options_.odometry != asked || report_.odometry < 2) return;
         found.push_back(
             {TourFinding::Kind::still_odometry, 0.0, std::move(what), {std::move(remedy)}});
     };
-    if (velocities_move_) {
+    if (velocities_move_ && !poses_move_) {
         still(OdometryFrom::poses,
               marked(HITOS_TEXT("Errors",
                                 "the odometry's poses never change although its velocities do; all "
                                 "scans are put on one place")),
               take_velocities());
     }
-    if (poses_move_) {
+    if (poses_move_ && !velocities_move_) {
         still(OdometryFrom::velocities,
               marked(HITOS_TEXT("Errors",
                                 "the odometry's velocities are 0 although its poses change; all "
@@ -258,13 +258,7 @@ std::optional<Odometria> Procesador::next_odometry() {
             scale(*record, options_.odometry_scale);  // leaps are those of metres
             const bool by_pose =
                 record->pose_odom_robot && options_.odometry != OdometryFrom::velocities;
-            constexpr double kMoves = 1e-3;  // [m/s]; rounding does not
-            velocities_move_ =
-                velocities_move_ || (record->velocity && std::abs(record->velocity->v) > kMoves);
-            if (record->pose_odom_robot) {
-                if (!first_pose_) first_pose_ = record->pose_odom_robot;
-                poses_move_ = poses_move_ || *record->pose_odom_robot != *first_pose_;
-            }
+            note_motion(*record);
             const std::optional<Odometria> reading =
                 by_pose ? from_pose(*record) : from_velocity(*record);
             if (reading) return reading;
@@ -272,6 +266,20 @@ std::optional<Odometria> Procesador::next_odometry() {
             if (!line->shared) note_damage(line->number, error.problem());
         }
     }
+}
+
+/// Rounding is no motion.
+void Procesador::note_motion(const OdometryRecord& record) {
+    constexpr double kMoves = 1e-3;  // [m], [rad], [m/s], [rad/s]
+    const auto beyond = [](double x, double y, double turn) {
+        return std::hypot(x, y) > kMoves || std::abs(turn) > kMoves;
+    };
+    if (record.velocity && beyond(record.velocity->v, 0.0, record.velocity->w))
+        velocities_move_ = true;
+    if (!record.pose_odom_robot) return;
+    if (!first_pose_) first_pose_ = record.pose_odom_robot;
+    const Pose step = between(*first_pose_, *record.pose_odom_robot);
+    if (beyond(step.x, step.y, step.theta)) poses_move_ = true;
 }
 
 std::optional<Odometria> Procesador::from_pose(const OdometryRecord& record) {
@@ -312,7 +320,6 @@ std::optional<Odometria> Procesador::from_velocity(const OdometryRecord& record)
 
 Odometria Procesador::hand_out(double time_s, Twist twist, std::uint64_t line) {
     clock_s_ = time_s;
-    if (twist != Twist{}) moved_ = true;
     turn(twist, options_.odometry_turns);
     ++report_.odometry;
     return {time_s, twist, line};

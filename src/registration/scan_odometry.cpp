@@ -110,16 +110,16 @@ void ScanOdometry::note(const Pose& step, double seconds) {
 std::vector<TourFinding> ScanOdometry::findings() const {
     constexpr std::uint64_t kOneFarIn = 20;
     std::vector<TourFinding> found = tour_->findings();
-    // Where there is odometry that is not used, the log's own reader has told it, and the way back.
-    if (scans_ < 2 || std::ranges::count(found, TourFinding::Kind::no_odometry, &TourFinding::kind))
-        return found;
+    if (scans_ < 2) return found;
+    // Where there is odometry that is not used, the log's own reader has told the way back.
+    const auto told = std::ranges::find(found, TourFinding::Kind::no_odometry, &TourFinding::kind);
+    const std::vector<Remedy> known = told == found.end() ? std::vector<Remedy>{} : told->remedies;
     const double rate = static_cast<double>(scans_ - 1) / (last_s_ - *first_s_);
     const double rounded = std::round(rate * 10.0) / 10.0;
     const auto note = [&](Message what, Message remedy) {
-        found.push_back({TourFinding::Kind::no_odometry,
-                         static_cast<double>(scans_),
+        found.push_back({TourFinding::Kind::no_odometry, static_cast<double>(scans_),
                          std::move(what),
-                         {{std::move(remedy)}}});
+                         known.empty() ? std::vector<Remedy>{{std::move(remedy)}} : known});
     };
     // What counts is how much two scans see in common.
     if (rate > kQuickEnough || far_ * kOneFarIn < scans_) {

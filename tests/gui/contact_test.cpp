@@ -448,6 +448,26 @@ void ContactTest::the_source_decides_the_parameters_until_the_user_does() {
     QVERIFY(is(own));
 }
 
+void ContactTest::a_preset_takes_its_odometry_along_and_leaves_the_users() {
+    Fixture f(false);
+    ConfigurationActions& actions = f.window->configuration_actions();
+    const auto odometry = [&f] { return f.session.configuration().source.read.odometry; };
+    actions.start_or_warn({});  // the ready tour, with the thesis's preset
+    QCOMPARE(odometry(), OdometryFrom::velocities);
+    QVERIFY(actions.open(QString::fromStdString(f.session.configuration().source.file)));
+    QCOMPARE(odometry(), OdometryFrom::velocities);  // the same log again
+    f.prompts.confirms = {true, true, true};
+    actions.use_preset("recorded");
+    QCOMPARE(odometry(), OdometryFrom::poses);
+    actions.use_preset("thesis");
+    QCOMPARE(odometry(), OdometryFrom::velocities);
+    Configuracion own = f.session.configuration();
+    own.source.read.odometry = OdometryFrom::scans;
+    f.session.set_configuration(own);
+    actions.use_preset("recorded");
+    QCOMPARE(odometry(), OdometryFrom::scans);
+}
+
 void ContactTest::who_chose_is_remembered_and_not_guessed() {
     const QString robots = Fixture::source_file("data/logs/carmen-flaser.log.gz");
     const QString world = Fixture::source_file("data/worlds/corridor.toml");

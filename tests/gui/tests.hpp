@@ -387,6 +387,7 @@ class ContactTest : public QObject {
     void several_files_can_be_dropped_at_once();
     void the_configuration_can_be_undone_and_redone();
     void the_source_decides_the_parameters_until_the_user_does();
+    void a_preset_takes_its_odometry_along_and_leaves_the_users();
     void who_chose_is_remembered_and_not_guessed();
     void what_init_cfg_says_stays_whatever_the_source_is();
     void what_the_source_decides_at_the_start_is_told();

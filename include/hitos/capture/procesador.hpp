@@ -67,6 +67,7 @@ class Procesador final : public TourReader {
         std::optional<double> last_s;
     };
     void mend(Scan& scan);
+    void note_motion(const OdometryRecord& record);
     std::optional<Odometria> from_pose(const OdometryRecord& record);
     std::optional<Odometria> from_velocity(const OdometryRecord& record);
     Odometria hand_out(double time_s, Twist twist, std::uint64_t line);
@@ -89,7 +90,6 @@ class Procesador final : public TourReader {
     ScanClock clock_;
     OdometryAxes axes_;
     OdometrySteps steps_;
-    bool moved_ = false;  ///< some reading that was handed out
     bool poses_move_ = false;
     bool velocities_move_ = false;
     std::optional<Pose> first_pose_;

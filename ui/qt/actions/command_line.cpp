@@ -172,12 +172,12 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
         configuration = preset_configuration(kReadyPreset);
     }
     if (!named.isEmpty() && !named_configuration && !named_results) {
-        configuration.source.file = source_named(line.open);
+        const std::string source = source_named(line.open);
+        // What was set is of another recording; what is named counts.
+        if (line.config.empty() && line.preset.empty() && configuration.source.file != source)
+            configuration.source.read = for_another_recording(configuration.source.read);
+        configuration.source.file = source;
         configuration.source.format = kAutoFormat;
-        if (line.config.empty()) {  // what was set is of another recording
-            configuration.source.read.scan_topic.clear();
-            configuration.source.read.odom_topic.clear();
-        }
     }
     if (configuration.source.file.empty()) {
         configuration.source.file = shipped_file(kReadyTour).string();

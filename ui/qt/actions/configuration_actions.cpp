@@ -58,6 +58,17 @@ SourceParams with_preset(const SourceParams& source, const SourceParams& preset)
     return both;
 }
 
+/// Whether a preset brought the way in which the odometry is taken, and not the user.
+bool has_odometry_of_a_preset(const Configuracion& configuration) {
+    return std::ranges::any_of(presets(), [&](const Preset& preset) {
+        Configuracion made = preset_configuration(preset.word);
+        if (made.source.read.odometry != configuration.source.read.odometry) return false;
+        made.source = configuration.source;
+        made.run = configuration.run;
+        return differences(made, configuration).empty();
+    });
+}
+
 QString sentences(QStringList parts) {
     parts.removeAll(QString());
     return parts.join(QStringLiteral(". "));
@@ -284,10 +295,11 @@ bool ConfigurationActions::use_log(const QString& path) {
     const bool had = has_references();
     Configuracion next = session_.configuration();
     const QString suited = suit(next, path.toStdString());
+    const ReadOptions former = next.source.read;
+    if (next.source.file != path.toStdString())
+        next.source.read = for_another_recording(next.source.read);
     next.source.file = path.toStdString();
     next.source.format = kAutoFormat;
-    const ReadOptions former =
-        std::exchange(next.source.read, for_another_recording(next.source.read));
     try {
         session_.set_configuration(next);
     } catch (const std::exception& error) {
@@ -353,14 +365,18 @@ bool ConfigurationActions::load_file(const QString& path, bool confirmed) {
 }
 
 void ConfigurationActions::use_preset(std::string_view word, bool confirmed) {
+    const Configuracion& now = session_.configuration();
     Configuracion next;
     try {
         next = preset_configuration(word);
+        // What the user has set stays where the preset says nothing of it.
+        if (next.source.read.odometry == ReadOptions().odometry && !has_odometry_of_a_preset(now))
+            next.source.read.odometry = now.source.read.odometry;
     } catch (const std::exception& error) {
         prompts_.warn(window_, tr("The configuration was not loaded"), words_of(error));
         return;
     }
-    next.source = with_preset(session_.configuration().source, next.source);
+    next.source = with_preset(now.source, next.source);
     const QString name = translated("Preset", find_preset(word).label);
     if (!confirmed &&
         !prompts_.confirm(window_, {tr("Preset"), tr("Replace the configuration by %1?").arg(name),
