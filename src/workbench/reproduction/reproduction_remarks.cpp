@@ -227,7 +227,7 @@ std::string differences_text(const Reproduction& reproduction,
 }
 
 std::vector<Reading> close_readings(std::span<const Reproduction> tried) {
-    constexpr double kClose = 5.0;  // of a hundred
+    constexpr double kClose = 3.0;  // of a hundred
     double best = 0.0;
     for (const Reproduction& reading : tried) {
         best = std::max(best, score_of(reading, true).value_or(0.0));
@@ -263,9 +263,11 @@ std::string readings_text(const Reproduction& reproduction, std::span<const Repr
         "is the mean of two shares: of the rows of the working range that are explained, and of "
         "those outside it that have the same tendency. The reading to recommend is the one with "
         "the greatest score on {}; on the other worlds it is judged. Runs scatter: the readings "
-        "within five points of the best are run again, four times as often, and the best of these "
+        "within three points of the best are run again, four times as often, and the best of these "
         "counts. The rule was laid down, and the worlds parted, before the readings with an "
-        "interpolated laser were run; that one ray in four is traced was known from a trial on "
+        "interpolated laser were run, with five points, which were made three when they were "
+        "known, for the time that a second look takes; that one ray in four is traced was known "
+        "from a trial on "
         "the rows of 3 and 5 points of all worlds, and the readings without it from all rows, so "
         "that the other worlds are not wholly new to it.\n\n{}",
         reproduction.runs, reading_as_published().name, fmt::join(kChosenOn, ", "), kReadingsHead);
