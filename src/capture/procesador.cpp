@@ -274,7 +274,7 @@ void Procesador::note_motion(const OdometryRecord& record) {
     const auto beyond = [](double x, double y, double turn) {
         return std::hypot(x, y) > kMoves || std::abs(turn) > kMoves;
     };
-    if (record.velocity && beyond(record.velocity->v, 0.0, record.velocity->w))
+    if (const auto& twist = record.velocity; twist && beyond(twist->v, twist->v_lateral, twist->w))
         velocities_move_ = true;
     if (!record.pose_odom_robot) return;
     if (!first_pose_) first_pose_ = record.pose_odom_robot;

@@ -92,8 +92,7 @@ Reproduction reproduce(const ReproductionOptions& options);
 /// Runs the same figures under every other reading of readings(), each in readings/NAME of the
 /// folder, with its reproduction.csv; those that agree best once more, with four times the runs,
 /// after all others. Writes reproduction.md anew, with `result`, which reproduce() gave for the
-/// same options, beside them. `begin` is told of each. Throws as
-/// reproduce().
+/// same options, beside them. `begin` is told of each. Throws as reproduce().
 std::vector<Reproduction> try_readings(const ReproductionOptions& options,
                                        const Reproduction& result,
                                        const std::function<void(const Reading&)>& begin);

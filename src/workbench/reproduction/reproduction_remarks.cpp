@@ -267,8 +267,8 @@ std::string readings_text(const Reproduction& reproduction, std::span<const Repr
         "counts. The rule was laid down, and the worlds parted, before the readings with an "
         "interpolated laser were run, with five points, which were made three when they were "
         "known, for the time that a second look takes; that one ray in four is traced was known "
-        "from a trial on "
-        "the rows of 3 and 5 points of all worlds, and the readings without it from all rows, so "
+        "from a trial on the rows of 3 and 5 points of all worlds, and the readings without it "
+        "from all rows, so "
         "that the other worlds are not wholly new to it.\n\n{}",
         reproduction.runs, reading_as_published().name, fmt::join(kChosenOn, ", "), kReadingsHead);
     text += reading_row(reproduction) + once + '\n';
