@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "free_view.hpp"
+#include "loop_limits.hpp"
 
 namespace hitos {
 namespace {
@@ -15,8 +16,8 @@ constexpr double kGreatestWindow = 15.0;  // [m]
 constexpr double kGreatestTurn = 0.6;     // [rad]
 constexpr double kStretch = 5.0;          // [m] of travel, of the query and about the old key
 constexpr double kMemory = 12.0;          // [m] of travel, of what was found
+constexpr double kStretchHalf = 40.0;     // [m], of the stretch's map
 constexpr double kNearOutside = 3.0;      // [m] that a candidate may lie beyond the window
-constexpr double kMuchThrough = 0.3;      // share seen through
 
 /// Three standard deviations and a little.
 double unsure_m(const GraphReach& reach) {
@@ -42,26 +43,6 @@ double distance_m(const Pose& a, const Pose& b) {
 }
 
 }  // namespace
-
-std::string_view word_of(LoopVerdict verdict) {
-    switch (verdict) {
-        case LoopVerdict::closed:
-            return "closed";
-        case LoopVerdict::poor_fit:
-            return "poor-fit";
-        case LoopVerdict::bare:
-            return "bare";
-        case LoopVerdict::seen_through:
-            return "seen-through";
-        case LoopVerdict::alone:
-            return "alone";
-        case LoopVerdict::no_edge:
-            return "no-edge";
-        case LoopVerdict::strained:
-            break;
-    }
-    return "strained";
-}
 
 std::optional<LoopCloser::Place> LoopCloser::likeliest(const KeyGraph& graph,
                                                        std::span<const GraphReach> reached) const {
@@ -213,7 +194,7 @@ double LoopCloser::seen_through(const KeyGraph& graph, const LoopFound& loop,
     std::vector<Point2> points;
     place(query_, loop.pose, points);
     const double by_earlier = contradiction(points, views);
-    if (by_earlier > kMuchThrough) return by_earlier;
+    if (by_earlier > kMostSeenThrough) return by_earlier;
 
     views.clear();
     const Pose move = compose(loop.pose, inverse(graph.poses[newest].pose));
@@ -230,32 +211,51 @@ double LoopCloser::seen_through(const KeyGraph& graph, const LoopFound& loop,
     return std::max(by_earlier, contradiction(points, views));
 }
 
+/// The keys of the stretch about a key.
+std::vector<std::uint32_t> LoopCloser::stretch_about(const KeyGraph& graph, std::uint32_t key) {
+    constexpr std::size_t kMostBefore = 15;
+    constexpr std::size_t kMostKeys = 30;
+    const double way_m = graph.scans[key].travelled_m;
+    std::vector<std::uint32_t> keys;
+    for (std::size_t j = key + 1; j-- > 0 && keys.size() < kMostBefore;) {
+        if (way_m - graph.scans[j].travelled_m >= kStretch) break;
+        keys.push_back(static_cast<std::uint32_t>(j));
+    }
+    for (std::size_t j = key + 1; j + 1 < graph.size() && keys.size() < kMostKeys; ++j) {
+        if (graph.scans[j].travelled_m - way_m >= kStretch) break;
+        keys.push_back(static_cast<std::uint32_t>(j));
+    }
+    return keys;
+}
+
+void LoopCloser::measure(const KeyGraph& graph, std::uint32_t key, LoopRecord& record) {
+    gather_query(graph);
+    LoopFound loop;
+    loop.key = key;
+    loop.pose = compose(graph.poses[key].pose, record.pose_earlier_scan);
+    loop.sources = stretch_about(graph, key);
+    PointMap map;
+    build_map(graph, loop.sources, graph.poses[key].pose, kStretchHalf, map);
+    const Linearization l = matcher_.linearize(query_, map, loop.pose, kFineStage);
+    record.score = match_score(query_, map, loop.pose, 1);
+    record.overlap = static_cast<double>(l.matches) /
+                     static_cast<double>(std::max<std::size_t>(1, query_.size()));
+    record.seen_through = seen_through(graph, loop, map);
+}
+
 std::optional<LoopFound> LoopCloser::look(const KeyGraph& graph, const std::optional<Place>& at,
                                           std::vector<LoopRecord>& refused) {
     constexpr std::size_t kFewestPoints = 40;
-    constexpr std::size_t kMostBefore = 15;
-    constexpr std::size_t kMostKeys = 30;
-    constexpr double kLeastScore = 0.5;
-    constexpr double kLeastSpread = 0.03;  // of a corridor's matches along it
     if (!at) return std::nullopt;
     if (query_.empty()) gather_query(graph);
     if (query_.size() < kFewestPoints) return std::nullopt;
     ++searches_;
     const Place& place = *at;
-    const double old_travelled = graph.scans[place.key].travelled_m;
     LoopFound loop;
     loop.key = place.key;
-    for (std::size_t j = place.key + 1; j-- > 0 && loop.sources.size() < kMostBefore;) {
-        if (old_travelled - graph.scans[j].travelled_m >= kStretch) break;
-        loop.sources.push_back(static_cast<std::uint32_t>(j));
-    }
-    for (std::size_t j = place.key + 1; j + 1 < graph.size() && loop.sources.size() < kMostKeys;
-         ++j) {
-        if (graph.scans[j].travelled_m - old_travelled >= kStretch) break;
-        loop.sources.push_back(static_cast<std::uint32_t>(j));
-    }
+    loop.sources = stretch_about(graph, place.key);
     PointMap map;
-    build_map(graph, loop.sources, graph.poses[place.key].pose, 40.0, map);
+    build_map(graph, loop.sources, graph.poses[place.key].pose, kStretchHalf, map);
     const CorrelationMap picture(map, 25.0 + 0.5 * place.window.position_m, 4);
     const auto correlated =
         correlate(query_, picture, place.centre, place.window, params_.loop_score);
@@ -270,15 +270,16 @@ std::optional<LoopFound> LoopCloser::look(const KeyGraph& graph, const std::opti
     record.scan = graph.poses.back().scan;
     record.earlier = earlier.scan;
     record.pose_earlier_scan = between(earlier.pose, loop.pose);
+    record.way_m = graph.scans.back().travelled_m - graph.scans[place.key].travelled_m;
     record.score = match_score(query_, map, loop.pose, 1);
     record.overlap = static_cast<double>(l.matches) / static_cast<double>(query_.size());
-    if (record.score <= kLeastScore) {
+    if (record.score <= kLeastLoopScore) {
         record.verdict = LoopVerdict::poor_fit;
-    } else if (spread.eigenvalues()(0) <= kLeastSpread * std::max(1, l.matches)) {
+    } else if (spread.eigenvalues()(0) <= kLeastLoopSpread * std::max(1, l.matches)) {
         record.verdict = LoopVerdict::bare;
     } else {
         record.seen_through = seen_through(graph, loop, map);
-        if (record.seen_through <= kMuchThrough) return loop;
+        if (record.seen_through <= kMostSeenThrough) return loop;
         record.verdict = LoopVerdict::seen_through;
     }
     refused.push_back(record);

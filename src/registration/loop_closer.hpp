@@ -39,6 +39,9 @@ class LoopCloser {
     /// added to `refused`.
     std::optional<LoopFound> search(const KeyGraph& graph, std::span<const GraphReach> reached,
                                     std::vector<LoopRecord>& refused);
+    /// What one that somebody closes at the newest key would be worth: score, overlap, share seen
+    /// through.
+    void measure(const KeyGraph& graph, std::uint32_t key, LoopRecord& record);
     /// The graph has moved: what was found before is of another frame.
     void forget() { found_.clear(); }
 
@@ -65,6 +68,7 @@ class LoopCloser {
     std::optional<Place> far_off(const KeyGraph& graph, std::span<const GraphReach> reached);
     std::optional<LoopFound> look(const KeyGraph& graph, const std::optional<Place>& at,
                                   std::vector<LoopRecord>& refused);
+    static std::vector<std::uint32_t> stretch_about(const KeyGraph& graph, std::uint32_t key);
     void gather_query(const KeyGraph& graph);
     double seen_through(const KeyGraph& graph, const LoopFound& loop, const PointMap& map) const;
     bool agreed(const Pose& now, const Pose& then, double travelled_m, bool far);

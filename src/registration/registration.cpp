@@ -22,6 +22,7 @@ namespace {
 constexpr double kMapHalf = 45.0;      // [m], of the local map
 constexpr double kOldKeysWay = 6.0;    // [m] along the graph, of old keys in the local map
 constexpr std::size_t kLoopEvery = 2;  // keys
+constexpr double kSlip = 1.0;          // [m], [rad]: of a step that somebody calls a slip
 constexpr double kKeySlip = 0.01;      // [m] added to a key's standard deviation
 constexpr double kKeySlipRad = 0.002;  // [rad]
 
@@ -40,23 +41,30 @@ RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control
     corrections_.clear();
     RegisteredStep out;
     out.scan = placed_.size();
+    editor_.check(out.scan, scan);
     out.before = now_;
     const DrivenWay way = driven_way(controls);
     out.path_m = way.path_m;
     out.turned_rad = way.turned_rad;
     const bool first = graph_.size() == 0;
-    if (first || way.moved()) {  // else there is nothing to match, and no key due
+    const bool wanted = editor_.needs_key(out.scan);
+    if (first || way.moved() || wanted) {  // else there is nothing to match, and no key due
         find_surface_points(scan, params_.range_m, points_);
-        if (!first) step(way, out);
-        out.key = first || key_due();
+        if (!first && way.moved()) step(way, out);
+        out.key = first || wanted || key_due();
     }
     out.pose = now_;
     if (out.key) add_key(out.scan);
     const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
     placed_.push_back({newest, between(graph_.poses[newest].pose, now_)});
-    if (out.key && params_.loops && newest > static_cast<std::uint32_t>(params_.key_scans) &&
-        newest % kLoopEvery == 0) {
-        close_loop();
+    if (out.key) {
+        const std::vector<KeyPose> before = graph_.poses;
+        bool moved = !editor_.empty() && edit_graph();
+        if (params_.loops && newest > static_cast<std::uint32_t>(params_.key_scans) &&
+            newest % kLoopEvery == 0) {
+            moved = close_loop() || moved;
+        }
+        if (moved) correct(before);
     }
     out.keys = graph_.poses;
     out.edges = graph_.edges;
@@ -89,7 +97,10 @@ void Registration::Impl::step(const DrivenWay& way, RegisteredStep& out) {
     const Pose raw = way.pose_start_end;
     refresh_map(before);
     const Pose driven = params_.calibrate ? calibration_.corrected(raw) : raw;
-    Guess guess = placed_by(driven, odometry_variances(driven, params_.odometry_scale));
+    const bool slipped = editor_.slipped(out.scan);
+    Guess guess =
+        placed_by(driven, slipped ? Eigen::Vector3d(kSlip * kSlip, kSlip * kSlip, kSlip * kSlip)
+                                  : odometry_variances(driven, params_.odometry_scale));
     if (breaks_path(points_, guess.matched, graph_)) {
         if (std::optional<Guess> other = stood(raw)) {
             guess = *std::move(other);
@@ -106,7 +117,7 @@ void Registration::Impl::step(const DrivenWay& way, RegisteredStep& out) {
     ++figures_.scans;
     if (matched.matched) {
         figures_.mean_score += out.score;
-        if (params_.calibrate) learn(way, guess, before);
+        if (params_.calibrate && !slipped) learn(way, guess, before);
     } else {
         ++figures_.unmatched;
     }
@@ -154,6 +165,8 @@ void Registration::Impl::add_key(std::uint64_t scan) {
     graph_.add({now_, scan}, std::move(key));
     const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
     if (newest > 0) {
+        if (odometry_variances_.isZero())  // it stood
+            odometry_variances_ = odometry_variances({}, params_.odometry_scale);
         graph_.edges.push_back({newest - 1, newest, odometry_,
                                 step_information(odometry_variances_, 0.5 * odometry_.theta),
                                 EdgeKind::odometry});
@@ -175,24 +188,70 @@ void Registration::Impl::add_key(std::uint64_t scan) {
     map_stale_ = true;
 }
 
-void Registration::Impl::close_loop() {
+/// Whether the graph has moved.
+bool Registration::Impl::close_loop() {
     const std::size_t newest = graph_.size() - 1;
     graph_.reach(newest, reached_);
     const auto found = closer_.search(graph_, reached_, refused_);
-    if (!found) return;
+    if (!found) return false;
     LoopRecord record = found->record;
     const std::vector<KeyPose> before = graph_.poses;
-    record.verdict = close(*found, record);
+    record.verdict = editor_.refuses(graph_, *found) ? LoopVerdict::by_hand : close(*found, record);
     closer_.forget();
     if (record.verdict != LoopVerdict::closed) {
         graph_.poses = before;
         refused_.push_back(record);
-        return;
+        return false;
     }
     record.move_m = greatest_move(before, graph_.poses);
     figures_.largest_correction_m = std::max(figures_.largest_correction_m, record.move_m);
     loops_.push_back(record);
-    correct(before);
+    return true;
+}
+
+/// What somebody says of the newest key. Whether the graph has moved.
+bool Registration::Impl::edit_graph() {
+    const std::vector<GraphEdit> edits = editor_.of_newest(graph_);
+    for (const GraphEdit& edit : edits) {
+        if (edit.kind == GraphEdit::Kind::close) {
+            close_by_hand(edit);
+        } else {
+            hold_by_hand(0, between(graph_.poses.front().pose, edit.pose));
+        }
+    }
+    if (!edits.empty()) closer_.forget();
+    return !edits.empty();
+}
+
+/// An edge as sure as somebody's eye is, and the graph as it bends to it.
+void Registration::Impl::hold_by_hand(std::uint32_t from, const Pose& pose_from_newest) {
+    const Eigen::Vector3d sigmas(0.05, 0.05, 0.01);  // [m, m, rad]
+    const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
+    graph_.edges.push_back({from, newest, pose_from_newest,
+                            sigmas.cwiseAbs2().cwiseInverse().asDiagonal().toDenseMatrix(),
+                            EdgeKind::by_hand});
+    PoseGraphSolver solver(graph_.size(), graph_.edges);
+    solver.solve(graph_.poses, {6, false});
+    solver.solve(graph_.poses, {6, true});
+}
+
+void Registration::Impl::close_by_hand(const GraphEdit& edit) {
+    const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
+    const auto key = std::ranges::lower_bound(graph_.poses, edit.earlier.scan, {}, &KeyPose::scan);
+    const auto earlier = static_cast<std::uint32_t>(key - graph_.poses.begin());
+    const std::vector<KeyPose> before = graph_.poses;
+    LoopRecord record;
+    record.scan = edit.scan.scan;
+    record.earlier = edit.earlier.scan;
+    record.pose_earlier_scan = edit.pose;
+    record.way_m = graph_.scans[newest].travelled_m - graph_.scans[earlier].travelled_m;
+    record.by_hand = true;
+    closer_.measure(graph_, earlier, record);
+    hold_by_hand(earlier, edit.pose);
+    graph_.join(earlier, newest);
+    record.move_m = greatest_move(before, graph_.poses);
+    figures_.largest_correction_m = std::max(figures_.largest_correction_m, record.move_m);
+    loops_.push_back(record);
 }
 
 /// Puts its edges into the graph and solves it. Of what is not closed no edge stays.
@@ -219,9 +278,9 @@ LoopVerdict Registration::Impl::close(const LoopFound& found, LoopRecord& record
     const double tension_before = tension(known);
     solver.solve(graph_.poses, {6, false});
     // What three standard deviations in each direction explain, and the new edges' own.
-    const double allowed = 3.0 * 9.0 + 3.0 * static_cast<double>(graph_.edges.size() - first);
+    record.chi_square_limit = 3.0 * 9.0 + 3.0 * static_cast<double>(graph_.edges.size() - first);
     record.chi_square = tension(graph_.edges) - tension_before;
-    if (*record.chi_square > allowed) {
+    if (*record.chi_square > *record.chi_square_limit) {
         graph_.edges.resize(first);
         return LoopVerdict::strained;
     }
@@ -269,8 +328,9 @@ void Registration::Impl::finish() {
 /// Every key's scan against its neighbours as they lie now.
 void Registration::Impl::register_anew(bool first) {
     constexpr MatchStage kWide{0.4, 0.1, true};
-    std::erase_if(graph_.edges,
-                  [](const PoseEdge& edge) { return edge.kind != EdgeKind::odometry; });
+    std::erase_if(graph_.edges, [](const PoseEdge& edge) {
+        return edge.kind == EdgeKind::scan || edge.kind == EdgeKind::loop;
+    });
     std::vector<GraphReach> reached;
     std::vector<std::uint32_t> keys;
     PointMap map;
@@ -322,6 +382,7 @@ RegistrationFigures Registration::Impl::figures() const {
     if (matched > 0) figures.mean_score /= static_cast<double>(matched);
     figures.keys = graph_.size();
     figures.loop_searches = closer_.searches();
+    figures.edits_unmet = editor_.unmet();
     figures.loops_refused = static_cast<std::uint64_t>(std::ranges::count_if(
         refused_, [](const LoopRecord& loop) { return loop.verdict != LoopVerdict::alone; }));
     return figures;

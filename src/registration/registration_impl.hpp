@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "graph_editor.hpp"
 #include "hitos/registration/odometry_step.hpp"
 #include "hitos/registration/registration.hpp"
 #include "key_graph.hpp"
@@ -22,7 +23,8 @@ class Registration::Impl {
         : params_(params),
           matcher_(params.point_sigma_m),
           step_matcher_(params, matcher_),
-          closer_(params, matcher_) {}
+          closer_(params, matcher_),
+          editor_(parse_graph_edits(params.edits)) {}
 
     RegisteredStep add(const Scan& scan, std::span<const Control> controls);
     void finish();
@@ -59,8 +61,11 @@ class Registration::Impl {
     void refresh_map(const Pose& about);
     bool key_due() const;
     void add_key(std::uint64_t scan);
-    void close_loop();
+    bool close_loop();
     LoopVerdict close(const LoopFound& found, LoopRecord& record);
+    bool edit_graph();
+    void close_by_hand(const GraphEdit& edit);
+    void hold_by_hand(std::uint32_t from, const Pose& pose_from_newest);
     void weigh_loops();
     double tension(std::span<const PoseEdge> edges) const;
     double squared_distance(const PoseEdge& edge) const;
@@ -72,6 +77,7 @@ class Registration::Impl {
     ScanMatcher matcher_;
     StepMatcher step_matcher_;
     LoopCloser closer_;
+    GraphEditor editor_;
     LateralCalibration calibration_;
     KeyGraph graph_;
     std::vector<Placed> placed_;  // by scan

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "hitos/registration/graph_edit.hpp"
+
 namespace hitos {
 namespace {
 
@@ -92,6 +94,13 @@ Table loop_entries() {
                                         HITOS_TEXT("Parameter",
                                                    "How often all key scans are matched anew with "
                                                    "their neighbours at the tour's end.")}),
+        text<&Params::edits>(
+            {kGraphEditsKey, HITOS_TEXT("ParameterLabel", "Changes by hand"),
+             HITOS_TEXT("Parameter",
+                        "What is changed in the graph of this very tour: \"refuse SCAN EARLIER\" "
+                        "(no loop), \"close SCAN EARLIER X Y THETA\" (a loop), \"fix SCAN X Y "
+                        "THETA\", \"slip SCAN\", with semicolons between; a file of them is read "
+                        "by --edits.")}),
     };
 }
 

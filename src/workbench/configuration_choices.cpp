@@ -5,13 +5,18 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/capture/scan_clock.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
+#include "hitos/slam/filters.hpp"
 
 namespace hitos {
 
 void choose_values(Configuracion& configuration, const ValueChoices& choices) {
     for (const std::string& assignment : choices.assignments) {
         set_parameter(configuration, assignment);
+    }
+    if (!choices.edits.empty()) {
+        configuration.registration.edits = ArchivoConfiguracion::read_edits(choices.edits);
     }
     for (const std::string& assignment : choices.world_assignments) {
         std::string& changes = configuration.source.world_set;
@@ -28,6 +33,12 @@ void choose_values(Configuracion& configuration, const ValueChoices& choices) {
         find_parameter("run.threads").set(configuration, std::to_string(*choices.threads));
     }
     check(configuration);
+    if (!choices.edits.empty() && !needs_registration(configuration.filter)) {
+        throw ConfigError("--edits",
+                          HITOS_TEXT("Errors",
+                                     "changes by hand are of the graph of key scans, and with "
+                                     "these parameters there is none; try --preset recorded"));
+    }
 }
 
 void take_up(const std::vector<SourceSetting>& settings, SourceParams& source) {

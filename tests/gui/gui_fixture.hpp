@@ -200,6 +200,11 @@ struct Fixture : WindowFixture<ScriptedPrompts> {
     }
 };
 
+/// Where a place of the world [m] is in a view.
+inline QPoint pixel_in(const CanvasView& view, const QPointF& world) {
+    return view.camera().to_screen(view.size()).map(world).toPoint();
+}
+
 /// Does something with the modal dialog of that kind once it is there; by the end of the fixture it
 /// has to have been.
 template <class Dialog>

@@ -37,10 +37,6 @@ QImage picture_of(QWidget& widget) {
     return widget.grab().toImage();
 }
 
-QPoint pixel_in(const CanvasView& view, const QPointF& world) {
-    return view.camera().to_screen(view.size()).map(world).toPoint();
-}
-
 template <class Result, class Task>
 Result ask(const Fixture& f, Task task) {
     return f.session.worker()->with_run(std::move(task)).get();

@@ -315,6 +315,10 @@ class InspectTest : public QObject {
     void a_clicked_feature_tells_why();
     void the_inspector_tells_of_every_algorithm_and_particle();
     void weighing_again_leaves_the_run_as_it_was();
+    void loops_are_listed_with_the_reason();
+    void a_loop_is_chosen_in_the_map();
+    void a_loop_is_refused_taken_back_and_closed_by_hand();
+    void without_registration_there_are_no_loops();
     void the_joint_covariance_is_a_picture();
     void the_poses_uncertainty_is_drawn();
     void the_nees_is_a_plot_where_the_truth_is_known();

@@ -29,6 +29,27 @@ def same(one, other):
 
 
 class Runs(unittest.TestCase):
+    def test_loops_are_told_and_changed_by_hand(self):
+        def run(**changed):
+            return hitos.run(LOG, hitos.Configuration({"filter.particles": 3, **changed},
+                                                      preset="recorded"))
+        result = run()
+        loops = result.loops
+        self.assertEqual([loop["scan"] for loop in loops], sorted(loop["scan"] for loop in loops))
+        closed = [loop for loop in loops if loop["verdict"] == "closed"]
+        self.assertEqual(closed, [{**loop} for loop in result.summary["quality"]["loops"]])
+        self.assertGreater(len(closed), 0)
+        first = closed[0]
+        edits = f"refuse {first['scan']} {first['earlier']}"
+        changed = run(**{"registration.edits": edits})
+        self.assertIn(("by-hand", first["scan"]),
+                      [(loop["verdict"], loop["scan"]) for loop in changed.loops])
+        self.assertFalse(np.array_equal(changed.trajectory, result.trajectory))
+        equal(changed.trajectory, run(**{"registration.edits": edits}).trajectory)
+        self.assertEqual(hitos.run("corridor", FEW).loops, [])
+        with self.assertRaisesRegex(hitos.ConfigurationError, "change 1: found"):
+            run(**{"registration.edits": "open 3"})
+
     def test_files_are_those_of_the_command_line(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)

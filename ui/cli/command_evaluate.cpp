@@ -19,6 +19,7 @@
 #include "hitos/services/evaluation/reference_fit.hpp"
 #include "hitos/services/evaluation/relations.hpp"
 #include "hitos/services/evaluation/relative_error.hpp"
+#include "hitos/services/evaluation/run_loops.hpp"
 #include "hitos/services/results/kept_run.hpp"
 #include "hitos/services/results/results.hpp"
 #include "hitos/workbench/open_tour.hpp"
@@ -188,6 +189,18 @@ void tell_crispness(Report& report, const std::string& before, const PathCrispne
     report.figure(before + "grid_entropy_bits", *crispness.grid_entropy_bits, 3);
 }
 
+/// Of the run's own path alone: its loops say nothing of another.
+void evaluate_loops(const EvaluateOptions& options, Report& report) {
+    std::vector<RunLoop> loops = read_results(options.run).loops;
+    judge_loops(loops, read_trajectory(options.reference_trajectory), options.tolerance_s);
+    const LoopPrecision precision = precision_of(loops);
+    if (precision.judged == 0) return;
+    report.count("loops_judged", precision.judged);
+    report.count("loops_false", precision.wrong);
+    report.figure("worst_loop_m", precision.worst_m, 6);
+    if (!options.out.empty()) write_file(out_file(options, "loops.csv"), loops_csv(loops));
+}
+
 void evaluate_crispness(const EvaluateOptions& options, Report& report) {
     KeptRun run = read_results(options.run);
     run.configuration.source.file = input_named(run.configuration.source.file, "the run's log");
@@ -208,8 +221,12 @@ void check_choices(const EvaluateOptions& options) {
         refuse(of_map ? "--reference and --distances need --map"
                       : "--map needs --reference or --distances");
     }
-    if (!options.out.empty() && options.distances.empty() && options.relations.empty()) {
-        refuse("--out takes distances.csv and relations.csv and needs --distances or --relations");
+    const bool of_loops = !options.run.empty() && by_reference;
+    if (!options.out.empty() && options.distances.empty() && options.relations.empty() &&
+        !of_loops) {
+        refuse(
+            "--out takes distances.csv, relations.csv and loops.csv and needs --distances, "
+            "--relations, or a run and --reference-trajectory");
     }
     if ((options.rpe_distance_m || options.rpe_time_s) && !by_reference) {
         refuse("--rpe-distance and --rpe-time need --reference-trajectory");
@@ -251,6 +268,9 @@ void evaluate(EvaluateOptions options) {
     if (!options.reference.empty()) evaluate_map(options, report);
     if (!options.distances.empty()) evaluate_distances(options, report);
     if (!options.reference_trajectory.empty()) evaluate_trajectory(options, report);
+    if (!options.run.empty() && !options.reference_trajectory.empty()) {
+        evaluate_loops(options, report);
+    }
     if (options.rpe_distance_m) {
         evaluate_relative(options, PairSpacing::By::distance, *options.rpe_distance_m, report);
     }
@@ -277,7 +297,7 @@ void add_evaluate(CLI::App& program) {
                         "the map, printed as a table");
     command
         ->add_option("--out", options->out,
-                     "Folder for distances.csv and relations.csv, made if missing")
+                     "Folder for distances.csv, relations.csv and loops.csv, made if missing")
         ->check(&complaint_of_output);
     command->add_option("--trajectory", options->trajectory, "Trajectory to measure (TUM)");
     command->add_option("--reference-trajectory", options->reference_trajectory,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
@@ -86,9 +87,16 @@ void tell_summary(const RunSummary& summary, const std::string& folder, const Re
     }
     if (!summary.distances.empty()) report.say("{}", distance_table(summary.distances));
     if (const auto& figures = summary.quality.registration; figures && figures->scans > 0) {
+        const auto closed = std::ranges::count_if(summary.quality.loops, &RunLoop::closed);
         report.say("{} of {} fitted, {} closed, largest correction {:.2f} m\n",
                    figures->scans - figures->unmatched, plural(figures->scans, "scan"),
-                   plural(summary.quality.loops.size(), "loop"), figures->largest_correction_m);
+                   plural(static_cast<std::uint64_t>(closed), "loop"),
+                   figures->largest_correction_m);
+        if (const LoopPrecision precision = precision_of(summary.quality.loops);
+            precision.judged > 0) {
+            report.say("  {} of {} of them false, the worst {:.2f} m from the reference\n",
+                       precision.wrong, precision.judged, precision.worst_m);
+        }
     }
     if (summary.quality.findings) {
         for (const TourFinding& finding : *summary.quality.findings) report.warn(words_of(finding));

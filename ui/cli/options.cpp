@@ -163,6 +163,9 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
                     "hitos-cli parameters lists them")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    command.add_option("--edits", options.values.edits,
+                       "File of what is changed by hand in the graph of this very tour: loops "
+                       "refused or closed, scans fixed, steps that slipped (docs/formats.md)");
     command
         .add_option("--world-set", options.values.world_assignments,
                     "Change one value of the world that is simulated, e.g. --world-set "

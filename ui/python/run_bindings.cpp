@@ -34,10 +34,6 @@ std::shared_ptr<Run> made_run(const py::object& tour, const py::object& configur
                                  uncertainty);
 }
 
-py::object parsed(const std::string& json) {
-    return py::module_::import("json").attr("loads")(json);
-}
-
 /// Nothing where there was no scan to take.
 std::shared_ptr<State> stepped(Run& run, std::uint64_t scans) {
     const std::uint64_t before = run.progress().steps;

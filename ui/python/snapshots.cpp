@@ -130,7 +130,13 @@ all that was learnt since.)")
             "M: the weight before the last resampling of the one that each was drawn from.")
         .def_property_readonly(
             "best", [](const HeldState& s) { return s->shown()->best_hypothesis; },
-            "The place of the best hypothesis in particles.");
+            "The place of the best hypothesis in particles.")
+        .def_property_readonly(
+            "loops",
+            [](const HeldState& s) { return parsed(to_json(std::span(s->shown()->loops))); },
+            R"(Every place that looked like one of an earlier passage, by scans, as a list of dicts:
+scan and earlier, counted from 1, verdict ("closed", or why not), and the figures of
+docs/formats.md. Empty where the algorithm registers no scans.)");
 }
 
 void bind_map(Class& snapshot) {
@@ -209,6 +215,10 @@ place in landmarks; -1 where ignored).)");
 }
 
 }  // namespace
+
+py::object parsed(const std::string& json) {
+    return py::module_::import("json").attr("loads")(json);
+}
 
 Word word_of(std::string_view text) {
     Word word{};

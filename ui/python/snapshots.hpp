@@ -15,6 +15,9 @@
 
 namespace hitos::python {
 
+/// Python's objects for a JSON text.
+py::object parsed(const std::string& json);
+
 /// A word of at most 7 letters, as numpy's "U7" holds it.
 using Word = std::array<char32_t, 7>;
 Word word_of(std::string_view text);

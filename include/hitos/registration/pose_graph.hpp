@@ -17,7 +17,8 @@ struct KeyPose {
 enum class EdgeKind : std::uint8_t {
     odometry,  ///< what the wheels say from one key to the next
     scan,      ///< what the key's scan says against a key not long ago
-    loop       ///< what it says against one of an earlier passage
+    loop,      ///< what it says against one of an earlier passage
+    by_hand    ///< what somebody says: it keeps its weight, however far the rest is from it
 };
 
 /// The pose of key `to` as key `from` saw it, with its information (the inverse of its covariance)

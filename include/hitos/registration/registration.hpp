@@ -27,11 +27,15 @@ struct RegistrationFigures {
     std::uint64_t loop_searches = 0;  ///< places that could be an earlier one
     std::uint64_t loops_refused = 0;  ///< that correlated, but for those that stayed alone
     double largest_correction_m = 0.0;
+    /// Of the changes by hand, by their places, those that have met nothing to change: refused
+    /// loops that nobody has found, scans that have not come.
+    std::vector<std::uint64_t> edits_unmet;
 };
 
 /// Takes a tour scan by scan. Deterministic: nothing is drawn at random, one thread works.
 class Registration {
   public:
+    /// Throws ConfigError where the changes by hand are none.
     explicit Registration(const RegistrationParams& params);
     ~Registration();
     Registration(Registration&&) noexcept;
@@ -42,7 +46,8 @@ class Registration {
     /// Memory that a copy of it takes, about.
     std::size_t bytes() const;
 
-    /// Places the next scan. `controls` lead from the scan before to this one.
+    /// Places the next scan. `controls` lead from the scan before to this one. Throws ConfigError
+    /// where a change by hand is of another tour: its scan has another stamp.
     RegisteredStep add(const Scan& scan, std::span<const Control> controls);
     /// What the last add() or finish() corrected, if anything. For a scan that closes a loop: after
     /// the step of that scan.

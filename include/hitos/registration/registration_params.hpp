@@ -1,6 +1,8 @@
 // Parameters of registration. Where each number comes from: docs/registration.md.
 #pragma once
 
+#include <string>
+
 namespace hitos {
 
 /// Standard deviations of an odometry step of length l [m] and turn r [rad]: along it
@@ -19,6 +21,7 @@ struct RegistrationParams {
     double loop_score = 0.6;      ///< least correlation of a loop
     int loops_agree = 3;          ///< searches in a row that must say the same
     int final_passes = 3;         ///< of the whole graph against all scans, at the tour's end
+    std::string edits = {};       ///< what is changed by hand, as parse_graph_edits() takes it
 };
 
 }  // namespace hitos

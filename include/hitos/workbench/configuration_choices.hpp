@@ -11,12 +11,13 @@
 
 namespace hitos {
 
-/// --set, --world-set, --seed, --tour-seed and --threads.
+/// --set, --edits, --world-set, --seed, --tour-seed and --threads.
 struct ValueChoices {
     std::vector<std::string> assignments;  ///< "key=value"
     std::optional<std::uint64_t> seed = {};
     std::optional<int> threads = {};
     std::optional<std::uint64_t> tour_seed = {};
+    std::string edits = {};  ///< file of the graph's changes by hand; empty: none
     std::vector<std::string> world_assignments = {};  ///< "key=value", of a world's values
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "hitos/base/atomic_file.hpp"
@@ -13,6 +14,7 @@
 #include "hitos/base/parameter.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/base/text_limits.hpp"
+#include "hitos/registration/graph_edit.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 
 namespace hitos {
@@ -285,6 +287,32 @@ Configuracion ArchivoConfiguracion::parse(std::string_view text, const std::stri
                           joined(reading.mistakes, reading.is_hopeless()));
     }
     return reading.configuration;
+}
+
+std::string ArchivoConfiguracion::read_edits(const std::filesystem::path& path) {
+    Configuracion configuration =
+        parse(input::read_text(path, input::kLargestSettings), path.string());
+    std::string edits = std::exchange(configuration.registration.edits, {});
+    const Configuracion defaults;
+    for (const ConfigParameter& parameter : parameters()) {
+        if (parameter.get(configuration) == parameter.get(defaults)) continue;
+        throw FormatError(path.string(), 0,
+                          HITOS_TEXT("Errors",
+                                     "sets %1 too; expected a file of changes by hand, which sets "
+                                     "%2 alone: a whole configuration is read by --config"),
+                          parameter.key, kGraphEditsKey);
+    }
+    return edits;
+}
+
+std::string ArchivoConfiguracion::edits_text(const std::string& title, std::string_view edits) {
+    std::string out;
+    append_comment(out, title);
+    const std::string key = kGraphEditsKey;
+    out += fmt::format("[{}]\n{} = \"\"\"\n", key.substr(0, key.find('.')), name_of(key));
+    for (const GraphEdit& edit : parse_graph_edits(edits))
+        out += text_of(std::span(&edit, 1)) + '\n';
+    return out + "\"\"\"\n";
 }
 
 std::string ArchivoConfiguracion::to_text(const Configuracion& configuration) {

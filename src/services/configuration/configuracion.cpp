@@ -6,6 +6,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "hitos/registration/graph_edit.hpp"
 #include "hitos/slam/filter_parameters.hpp"
 #include "parameter_table.hpp"
 
@@ -60,6 +61,7 @@ void set_parameter(Configuracion& configuration, std::string_view assignment) {
 void check(const Configuracion& configuration) {
     check_all(parameters(), configuration);
     check(configuration.filter);
+    static_cast<void>(parse_graph_edits(configuration.registration.edits));  // throws
 
     const GridParams& grid = configuration.grid;
     if (grid.log_odds_hit == 0.0 && grid.log_odds_miss == 0.0) {
@@ -74,6 +76,11 @@ void check(const Configuracion& configuration) {
                        "%1 m is less than a cell (grid.resolution %2 m); 0 draws rays whole"),
             grid.max_range_m, grid.resolution_m);
     }
+}
+
+void forget_recording(Configuracion& configuration) {
+    configuration.source.read = for_another_recording(configuration.source.read);
+    configuration.registration.edits.clear();
 }
 
 }  // namespace hitos

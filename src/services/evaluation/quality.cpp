@@ -195,6 +195,13 @@ void warn_of_registration(const Registration& registration, const Trajectory& od
     }
     const DrivenBy driven = driven_by(registration, odometry);
     warn_of_scale(driven, warnings);
+    if (!figures.edits_unmet.empty()) {
+        warn(warnings,
+             HITOS_TEXT("Advice",
+                        "Changes by hand have met nothing to change (%1 of the list): loops that "
+                        "nobody has found, or scans that the tour has not come to."),
+             counted(figures.edits_unmet));
+    }
     if (registration.loops().empty() && driven.path_m > kLongWithoutLoop) {
         warn(warnings,
              HITOS_TEXT("Advice",
@@ -223,8 +230,8 @@ RunQuality judge(const RunEvidence& run, const Trajectory& path,
         quality.findings = run.examination->findings(run.reader.findings());
     if (run.registration != nullptr) {
         quality.registration = run.registration->figures();
-        quality.loops = run.registration->loops();
-        quality.refused_loops = run.registration->refused_loops();
+        quality.loops =
+            run_loops(run.registration->loops(), run.registration->refused_loops(), path);
     }
     if (quality.cells_per_point &&
         *quality.cells_per_point > kBlurrier * *quality.odometry_cells_per_point &&

@@ -65,6 +65,7 @@ std::vector<Measure> all_measures() {
          [](Run run) { return Figure(run.filter.best_count(FeatureKind::corner)); },
          "corners among them"},
         {"loops_closed", "loops", About::course, "", 0, "/quality/loops_closed"},
+        {"loops_false", "false loops", About::course, "", 0, "/quality/loops_false"},
         {"run_seconds", "time", About::course, "s", 2, "/run_seconds"}};
 }
 

@@ -13,6 +13,7 @@
 #include "hitos/services/files/map_file.hpp"
 #include "hitos/services/files/segment_file.hpp"
 #include "json_input.hpp"
+#include "loop_json.hpp"
 #include "results_summary.hpp"
 #include "written_files.hpp"
 
@@ -54,6 +55,10 @@ bool read_summary(const std::filesystem::path& folder, KeptRun& run) {
         run.seconds = summary.at("run_seconds").get<double>();
         run.figures = figures_in(summary);
         expect_unchanged(summary, folder);
+        run.path = read_trajectory(folder / "trajectory.tum");
+        if (summary.contains("quality")) {
+            run.loops = read_loops(summary.at("quality"), run.path, file);
+        }
         const nlohmann::json& counts = summary.at("landmarks");
         return whole_number<int>(counts, "lines", file) > 0 ||
                whole_number<int>(counts, "corners", file) > 0;
@@ -79,7 +84,6 @@ KeptRun read_results(const std::filesystem::path& folder) {
                                      "the folder mixes the files of several runs"),
                           extent.landmark + 1, lines);
     }
-    run.path = read_trajectory(folder / "trajectory.tum");
     run.odometry = read_trajectory(folder / "odometry.tum");
     return run;
 }

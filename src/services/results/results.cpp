@@ -17,6 +17,7 @@
 #include "hitos/services/evaluation/reference_fit.hpp"
 #include "hitos/slam/filters.hpp"
 #include "json_input.hpp"
+#include "loop_json.hpp"
 #include "output_crew.hpp"
 #include "report_json.hpp"
 #include "results_summary.hpp"
@@ -57,28 +58,6 @@ ordered_json json_of(const MeasuredDistance& measured) {
     return json;
 }
 
-/// Scans count from 1 in files.
-ordered_json json_of(const LoopRecord& loop) {
-    const Pose& seen = loop.pose_earlier_scan;
-    ordered_json json{{"scan", loop.scan + 1},
-                      {"earlier", loop.earlier + 1},
-                      {"verdict", word_of(loop.verdict)},
-                      {"pose", {seen.x, seen.y, seen.theta}},
-                      {"score", loop.score},
-                      {"overlap", loop.overlap}};
-    if (loop.seen_through) json["seen_through"] = *loop.seen_through;
-    if (loop.chi_square) json["chi_square"] = *loop.chi_square;
-    if (loop.weight) json["weight"] = *loop.weight;
-    if (loop.verdict == LoopVerdict::closed) json["move_m"] = loop.move_m;
-    return json;
-}
-
-ordered_json json_of(std::span<const LoopRecord> loops) {
-    ordered_json json = ordered_json::array();
-    for (const LoopRecord& loop : loops) json.push_back(json_of(loop));
-    return json;
-}
-
 ordered_json json_of(const RunQuality& quality) {
     ordered_json json;
     if (quality.cells_per_point) {
@@ -92,12 +71,17 @@ ordered_json json_of(const RunQuality& quality) {
         json["scans_breaking"] = ordered_json::array();
         for (const std::uint64_t scan : figures->breaks) json["scans_breaking"].push_back(scan + 1);
         json["key_scans"] = figures->keys;
-        json["loops_closed"] = quality.loops.size();
-        json["loops"] = json_of(quality.loops);
-        json["refused_loops"] = json_of(quality.refused_loops);
+        json["loops_closed"] = std::ranges::count_if(quality.loops, &RunLoop::closed);
+        json["loops"] = json_of(quality.loops, true);
+        json["refused_loops"] = json_of(quality.loops, false);
         json["loop_searches"] = figures->loop_searches;
         json["loops_refused"] = figures->loops_refused;
         json["largest_correction_m"] = figures->largest_correction_m;
+        if (const LoopPrecision precision = precision_of(quality.loops); precision.judged > 0) {
+            json["loops_judged"] = precision.judged;
+            json["loops_false"] = precision.wrong;
+            json["worst_loop_m"] = precision.worst_m;
+        }
     }
     json["warnings"] = ordered_json::array();
     for (const Advice& warning : quality.warnings) json["warnings"].push_back(warning.words());
@@ -193,6 +177,7 @@ RunSummary summary_of(const Algoritmo& run, const LandmarkMap& map, const Trajec
     summary.figures = figures_of({run.evidence(), run.filter(), map, path, summary, nullptr});
     summary.distances = measure_distances(map, references.distances);
     if (references.trajectory) {
+        judge_loops(summary.quality.loops, *references.trajectory, references.tolerance_s);
         summary.online_error = error_of(run.online_trajectory(), references);
         const double delay_s = run.scan().delay_s;
         if (delay_s != 0.0 && !run.reader().truth()) {
@@ -284,6 +269,10 @@ std::string to_json(std::span<const TourFinding> findings) {
     ordered_json json = ordered_json::array();
     for (const TourFinding& finding : findings) json.push_back(json_of(finding));
     return json_text(json) + "\n";
+}
+
+std::string to_json(std::span<const RunLoop> loops) {
+    return json_text(json_of(loops)) + "\n";
 }
 
 std::string to_json(std::span<const MeasuredDistance> distances) {

@@ -1,5 +1,7 @@
 #include "run_outputs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -13,6 +15,7 @@
 #include "files/map_server_file.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/registration/graph_edit.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/drawing/map_figure.hpp"
 #include "hitos/services/drawing/picture_file.hpp"
@@ -124,6 +127,24 @@ RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
         }
     };
     return output({stem + ".png", stem + ".jpg"}, write);
+}
+
+/// The changes by hand with the stamps of their scans, so that no other tour takes them.
+std::string edits_text(const FinishedRun& finished) {
+    const Configuracion& configuration = finished.run.configuration();
+    std::vector<GraphEdit> edits = parse_graph_edits(configuration.registration.edits);
+    const auto note = [&](EditedScan& scan) {
+        if (scan.scan < finished.best.size()) scan.stamp_s = finished.best[scan.scan].time_s;
+    };
+    for (GraphEdit& edit : edits) {
+        note(edit.scan);
+        if (edit.of_two()) note(edit.earlier);
+    }
+    return ArchivoConfiguracion::edits_text(
+        fmt::format("What was changed by hand in the graph of {}; hitos-cli run LOG --edits "
+                    "edits.toml does it again. docs/formats.md says what each change does.",
+                    in_utf8(on_one_line(Folder(configuration.source.file).filename().string()))),
+        text_of(edits));
 }
 
 const Trajectory& best_path(const FinishedRun& finished) {
@@ -238,6 +259,11 @@ std::vector<RunOutput> make_outputs() {
         where([](const Run& r) { return !r.summary.distances.empty(); },
               one_text("distances.csv",
                        [](const Run& r) { return distances_csv(r.summary.distances); })),
+        where([](const Run& r) { return !r.run.configuration().registration.edits.empty(); },
+              one_text("edits.toml", edits_text)),
+        where(
+            [](const Run& r) { return r.run.registration() != nullptr; },
+            one_text("loops.csv", [](const Run& r) { return loops_csv(r.summary.quality.loops); })),
         where([](const Run& r) { return r.references.trajectory.has_value(); },
               output({"paths.png", "paths.gp"}, write_paths)),
         rereading(where([](const Run& r) { return !r.references.walls.empty(); },

@@ -349,7 +349,9 @@ void RunWorker::publish_snapshot(std::unique_lock<std::mutex>& lock) {
     if (const Registration* registration = run_.registration()) {
         const auto keys = registration->keys();
         snapshot->keys.assign(keys.begin(), keys.end());
-        snapshot->loops = registration->loops();
+        snapshot->loops = run_loops(registration->loops(), registration->refused_loops(),
+                                    snapshot->best_trajectory);
+        if (parts.key_scans) snapshot->key_scans = run_.key_scans();
     }
     if (run_.finished()) {
         snapshot->advice = warnings(run_.evidence());

@@ -175,7 +175,7 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
         const std::string source = source_named(line.open);
         // What was set is of another recording; what is named counts.
         if (line.config.empty() && line.preset.empty() && configuration.source.file != source)
-            configuration.source.read = for_another_recording(configuration.source.read);
+            forget_recording(configuration);
         configuration.source.file = source;
         configuration.source.format = kAutoFormat;
     }

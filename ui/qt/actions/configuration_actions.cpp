@@ -65,6 +65,7 @@ bool has_odometry_of_a_preset(const Configuracion& configuration) {
         if (made.source.read.odometry != configuration.source.read.odometry) return false;
         made.source = configuration.source;
         made.run = configuration.run;
+        made.registration.edits = configuration.registration.edits;
         return differences(made, configuration).empty();
     });
 }
@@ -200,6 +201,16 @@ void ConfigurationActions::look_at_run(Configuracion configuration) {
     if (use_again(configuration)) session_.seek(RunWorker::kToTheEnd);
 }
 
+void ConfigurationActions::use_edits(const std::string& edits) {
+    if (!guard_.may_discard()) return;
+    const Progress was = session_.progress();
+    Configuracion next = session_.configuration();
+    next.registration.edits = edits;
+    if (!use(next)) return;
+    session_.seek(was.state == Progress::State::finished ? RunWorker::kToTheEnd : was.steps);
+    emit notice(tr("The graph is changed by hand; the run is done again"));
+}
+
 /// Where the topics of its recording are still to be chosen, the form asks for them.
 bool ConfigurationActions::use(const Configuracion& configuration) {
     try {
@@ -272,6 +283,7 @@ QString ConfigurationActions::suit(Configuracion& next, const std::string& file)
         Configuracion suited = suited_configuration(file);
         suited.run = next.run;
         suited.source = with_preset(next.source, suited.source);
+        suited.registration.edits = next.registration.edits;
         next = suited;
         return suited_words(suited_preset(file));
     } catch (const Error&) {  // without the presets' files the parameters stay
@@ -296,8 +308,7 @@ bool ConfigurationActions::use_log(const QString& path) {
     Configuracion next = session_.configuration();
     const QString suited = suit(next, path.toStdString());
     const ReadOptions former = next.source.read;
-    if (next.source.file != path.toStdString())
-        next.source.read = for_another_recording(next.source.read);
+    if (next.source.file != path.toStdString()) forget_recording(next);
     next.source.file = path.toStdString();
     next.source.format = kAutoFormat;
     try {
@@ -377,6 +388,7 @@ void ConfigurationActions::use_preset(std::string_view word, bool confirmed) {
         return;
     }
     next.source = with_preset(now.source, next.source);
+    next.registration.edits = now.registration.edits;
     const QString name = translated("Preset", find_preset(word).label);
     if (!confirmed &&
         !prompts_.confirm(window_, {tr("Preset"), tr("Replace the configuration by %1?").arg(name),

@@ -51,6 +51,8 @@ class ConfigurationActions final : public QObject {
     bool use_again(const Configuracion& configuration);
     /// The same, and runs to the end at once; threads as the user has them.
     void look_at_run(Configuracion configuration);
+    /// Other changes by hand of the graph; the run goes to where it was.
+    void use_edits(const std::string& edits);
     void save();
     /// A configuration of the user's own, among the presets from then on.
     void save_preset();

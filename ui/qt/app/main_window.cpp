@@ -312,6 +312,8 @@ void MainWindow::connect_views() {
     connect(inspection_, &Inspection::map_wanted, results_, &ResultActions::save_map_of);
     connect(inspection_, &Inspection::path_wanted, results_, &ResultActions::save_path_of);
     connect(inspection_, &Inspection::picture_wanted, results_, &ResultActions::save_figure);
+    connect(inspection_, &Inspection::edits_wanted, configuration_,
+            [this](const QString& edits) { configuration_->use_edits(edits.toStdString()); });
     connect(view_settings_, &ViewSettings::layers_changed, inspection_, &Inspection::set_layers);
     inspection_->set_layers(view_settings_->layers());
     connect(&session_, &Session::restarted, this, [this] { set_highlight({}); });

@@ -89,6 +89,7 @@ void MainWindow::show_keys() {
         {"Ctrl+G", tr("plots")},
         {"Ctrl+Shift+L, P, A, J",
          tr("tables of landmarks and particles, why features were associated, joint covariance")},
+        {"Ctrl+Shift+O", tr("loops: closed, refused, changed by hand")},
         {"M, Shift+M", tr("measure a distance, an angle")},
         {"Ctrl+Shift+M", tr("what was measured")},
         {"Ctrl+K, Ctrl+Shift+K", tr("compare runs, the list of runs")},

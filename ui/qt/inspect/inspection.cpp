@@ -3,6 +3,8 @@
 #include "association_inspector.hpp"
 #include "joint_covariance.hpp"
 #include "landmark_table.hpp"
+#include "loop_table.hpp"
+#include "loop_view.hpp"
 #include "particle_table.hpp"
 #include "views/grid_view.hpp"
 #include "views/scan_view.hpp"
@@ -15,12 +17,14 @@ Inspection::Inspection(Session& session, const DockPlace& place)
       landmarks_(new LandmarkTable(session, place.window)),
       particles_(new ParticleTable(session, place.window)),
       associations_(new AssociationInspector(session, place.window)),
-      joint_(new JointCovariance(session, place.window)) {
+      joint_(new JointCovariance(session, place.window)),
+      loops_(new LoopTable(session, place.window)) {
     add_dock(place, landmarks_, tr("Landmarks"), "landmarks_dock", QKeySequence("Ctrl+Shift+L"));
     add_dock(place, particles_, tr("Particles"), "particles_dock", QKeySequence("Ctrl+Shift+P"));
     add_dock(place, associations_, tr("Associations"), "associations_dock",
              QKeySequence("Ctrl+Shift+A"));
     add_dock(place, joint_, tr("Joint covariance"), "joint_dock", QKeySequence("Ctrl+Shift+J"));
+    add_dock(place, loops_, tr("Loops"), "loops_dock", QKeySequence("Ctrl+Shift+O"));
     connect(landmarks_, &LandmarkTable::landmark_chosen, this, &Inspection::landmark_chosen);
     connect(associations_, &AssociationInspector::landmark_chosen, this,
             &Inspection::landmark_chosen);
@@ -29,6 +33,9 @@ Inspection::Inspection(Session& session, const DockPlace& place)
     connect(particles_, &ParticleTable::path_wanted, this, &Inspection::path_wanted);
     connect(joint_, &JointCovariance::picture_wanted, this,
             [this] { emit picture_wanted(joint_->exportable()); });
+    connect(loops_, &LoopTable::edits_wanted, this, &Inspection::edits_wanted);
+    connect(loops_, &LoopTable::picture_wanted, this,
+            [this] { emit picture_wanted(loops_->view().exportable()); });
 }
 
 void Inspection::connect_views(ScanView& scan, GridView& grid) {
@@ -41,6 +48,10 @@ void Inspection::connect_views(ScanView& scan, GridView& grid) {
         if (associations_->isVisible()) associations_->choose(feature);
     });
     connect(associations_, &AssociationInspector::feature_chosen, &scan, &ScanView::set_feature);
+    connect(loops_, &LoopTable::loop_shown, &grid, &GridView::set_loop);
+    connect(&grid, &GridView::loop_clicked, loops_, [this](const auto& loop) {
+        if (loops_->isVisible()) loops_->choose(loop);
+    });
 }
 
 void Inspection::set_highlight(const PickedLandmark& picked) {

@@ -14,6 +14,7 @@ class AssociationInspector;
 class GridView;
 class JointCovariance;
 class LandmarkTable;
+class LoopTable;
 class ParticleTable;
 class ScanView;
 class Session;
@@ -34,6 +35,7 @@ class Inspection final : public QObject {
     void grid_wanted(int particle);
     void map_wanted(int particle);
     void path_wanted(int particle);
+    void edits_wanted(QString edits);
     void picture_wanted(const hitos::window::Exportable& figure);
 
   private:
@@ -42,6 +44,7 @@ class Inspection final : public QObject {
     ParticleTable* particles_;
     AssociationInspector* associations_;
     JointCovariance* joint_;
+    LoopTable* loops_;
 };
 
 }  // namespace hitos::window

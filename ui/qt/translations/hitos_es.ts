@@ -75,6 +75,10 @@
         <source>Less than half of the landmarks lie within a metre of one of the reference map (%1): is it of this place, and in the frame of the robot&apos;s start?</source>
         <translation>Menos de la mitad de los hitos está a menos de un metro de uno del mapa de referencia (%1): ¿es de este lugar y está en el sistema del punto de partida del robot?</translation>
     </message>
+    <message>
+        <source>Changes by hand have met nothing to change (%1 of the list): loops that nobody has found, or scans that the tour has not come to.</source>
+        <translation>Hay cambios a mano que no han encontrado nada que cambiar (%1 de la lista): bucles que nadie ha encontrado, o barridos a los que el recorrido no ha llegado.</translation>
+    </message>
 </context>
 <context>
     <name>Associations</name>
@@ -2882,6 +2886,82 @@
         <source>the odometry&apos;s velocities are 0 although its poses change; all scans are put on one place</source>
         <translation>las velocidades de la odometría son 0 aunque sus poses cambian; todos los barridos se ponen en un mismo lugar</translation>
     </message>
+    <message>
+        <source>change %1: %2</source>
+        <translation>cambio %1: %2</translation>
+    </message>
+    <message>
+        <source>found %1; expected &quot;refuse SCAN EARLIER&quot;, &quot;close SCAN EARLIER X Y THETA&quot;, &quot;fix SCAN X Y THETA&quot; or &quot;slip SCAN&quot;, scans counted from 1, as SCAN@STAMP where the stamp is to be held, X and Y in metres, THETA in rad</source>
+        <translation>hay %1; se esperaba «refuse SCAN EARLIER», «close SCAN EARLIER X Y THETA», «fix SCAN X Y THETA» o «slip SCAN», con los barridos contados desde 1, como SCAN@STAMP donde la marca de tiempo deba coincidir, X e Y en metros y THETA en rad</translation>
+    </message>
+    <message>
+        <source>found more than %1 changes</source>
+        <translation>hay más de %1 cambios</translation>
+    </message>
+    <message>
+        <source>scan %1 is said to come back to scan %2; expected an earlier one</source>
+        <translation>se dice que el barrido %1 vuelve al barrido %2; se esperaba uno anterior</translation>
+    </message>
+    <message>
+        <source>the first scan is where the map begins: it can neither be fixed elsewhere nor slip</source>
+        <translation>el primer barrido es donde empieza el mapa: ni se puede fijar en otro lugar ni puede patinar</translation>
+    </message>
+    <message>
+        <source>is of the same scans as change %1</source>
+        <translation>es de los mismos barridos que el cambio %1</translation>
+    </message>
+    <message>
+        <source>change %1 is of another tour, or of this one read otherwise: scan %2 had the stamp %3 when it was made, and has %4</source>
+        <translation>el cambio %1 es de otro recorrido, o de este leído de otro modo: el barrido %2 tenía la marca de tiempo %3 cuando se hizo, y tiene %4</translation>
+    </message>
+    <message>
+        <source>found the verdict %1 of a loop; expected %2</source>
+        <translation>hay el veredicto %1 de un bucle; se esperaba %2</translation>
+    </message>
+    <message>
+        <source>the walls match, and the graph explains it</source>
+        <translation>las paredes coinciden, y el grafo lo explica</translation>
+    </message>
+    <message>
+        <source>the points lie badly on the earlier walls: a score of %1, and more than %2 is asked</source>
+        <translation>los puntos caen mal sobre las paredes de antes: una puntuación de %1, y se pide más de %2</translation>
+    </message>
+    <message>
+        <source>one direction is left open, as along a corridor</source>
+        <translation>una dirección queda abierta, como a lo largo de un pasillo</translation>
+    </message>
+    <message>
+        <source>one passage looks through %1 of what the other saw, and at most %2 is allowed</source>
+        <translation>una pasada ve a través del %1 de lo que vio la otra, y se permite como mucho el %2</translation>
+    </message>
+    <message>
+        <source>too few searches in a row have said the same yet</source>
+        <translation>aún son pocas las búsquedas seguidas que han dicho lo mismo</translation>
+    </message>
+    <message>
+        <source>the scan alone says too little of any earlier one</source>
+        <translation>el barrido por sí solo dice muy poco de cualquiera anterior</translation>
+    </message>
+    <message>
+        <source>the graph would be bent more than its edges explain: chi-square %1, and at most %2 is allowed</source>
+        <translation>el grafo se doblaría más de lo que explican sus aristas: ji cuadrado %1, y se permite como mucho %2</translation>
+    </message>
+    <message>
+        <source>sets %1 too; expected a file of changes by hand, which sets %2 alone: a whole configuration is read by --config</source>
+        <translation>también da un valor a %1; se esperaba un archivo de cambios a mano, que solo lo da a %2: una configuración entera se lee con --config</translation>
+    </message>
+    <message>
+        <source>changes by hand are of the graph of key scans, and with these parameters there is none; try --preset recorded</source>
+        <translation>los cambios a mano son del grafo de barridos clave, y con estos parámetros no lo hay; pruebe --preset recorded</translation>
+    </message>
+    <message>
+        <source>somebody has put it in</source>
+        <translation>alguien lo ha metido</translation>
+    </message>
+    <message>
+        <source>somebody has taken it out</source>
+        <translation>alguien lo ha sacado</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -3085,6 +3165,41 @@
     <message>
         <source>From where the particles of now come: paths of all, which are one where resampling left one ancestor</source>
         <translation>De dónde vienen las partículas de ahora: los caminos de todas, que son uno donde el remuestreo dejó un solo antepasado</translation>
+    </message>
+</context>
+<context>
+    <name>LoopVerdict</name>
+    <message>
+        <source>Closed</source>
+        <translation>Cerrado</translation>
+    </message>
+    <message>
+        <source>Fits badly</source>
+        <translation>Encaja mal</translation>
+    </message>
+    <message>
+        <source>Corridor</source>
+        <translation>Pasillo</translation>
+    </message>
+    <message>
+        <source>Looked through</source>
+        <translation>Visto a través</translation>
+    </message>
+    <message>
+        <source>Said once</source>
+        <translation>Dicho una vez</translation>
+    </message>
+    <message>
+        <source>No edge</source>
+        <translation>Sin arista</translation>
+    </message>
+    <message>
+        <source>Bends the graph</source>
+        <translation>Dobla el grafo</translation>
+    </message>
+    <message>
+        <source>Refused by hand</source>
+        <translation>Rechazado a mano</translation>
     </message>
 </context>
 <context>
@@ -3679,6 +3794,10 @@
     <message>
         <source>one ray in so many is traced and the ranges between are interpolated, as Stage 2 can; 1: all</source>
         <translation>uno de cada tantos rayos se traza y las distancias intermedias se interpolan, como puede hacer Stage 2; 1: todos</translation>
+    </message>
+    <message>
+        <source>What is changed in the graph of this very tour: &quot;refuse SCAN EARLIER&quot; (no loop), &quot;close SCAN EARLIER X Y THETA&quot; (a loop), &quot;fix SCAN X Y THETA&quot;, &quot;slip SCAN&quot;, with semicolons between; a file of them is read by --edits.</source>
+        <translation>Lo que se cambia en el grafo de este mismo recorrido: «refuse SCAN EARLIER» (no es un bucle), «close SCAN EARLIER X Y THETA» (lo es), «fix SCAN X Y THETA», «slip SCAN», separados por punto y coma; --edits lee un archivo de ellos.</translation>
     </message>
 </context>
 <context>
@@ -4525,6 +4644,10 @@
         <source>Rays traced: one in</source>
         <translation>Rayos trazados: uno de cada</translation>
     </message>
+    <message>
+        <source>Changes by hand</source>
+        <translation>Cambios a mano</translation>
+    </message>
 </context>
 <context>
     <name>Picture</name>
@@ -5225,6 +5348,10 @@
         <source>Redone, now: %1</source>
         <translation>Rehecho, ahora: %1</translation>
     </message>
+    <message>
+        <source>The graph is changed by hand; the run is done again</source>
+        <translation>El grafo está cambiado a mano; la ejecución se hace de nuevo</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::ConfigurationDialog</name>
@@ -5824,6 +5951,10 @@
         <source>Joint covariance</source>
         <translation>Covarianza conjunta</translation>
     </message>
+    <message>
+        <source>Loops</source>
+        <translation>Bucles</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::JointCovariance</name>
@@ -5965,6 +6096,131 @@
     <message>
         <source>Not possible at this moment</source>
         <translation>No es posible en este momento</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::LoopModel</name>
+    <message>
+        <source>Scan</source>
+        <translation>Barrido</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Anterior</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Puntuación</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Solape</translation>
+    </message>
+    <message>
+        <source>Looked through</source>
+        <translation>Visto a través</translation>
+    </message>
+    <message>
+        <source>Way between</source>
+        <translation>Camino entre ambos</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Movió</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Peso</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Desvío</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::LoopTable</name>
+    <message>
+        <source>All places</source>
+        <translation>Todos los lugares</translation>
+    </message>
+    <message>
+        <source>Closed loops</source>
+        <translation>Bucles cerrados</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Rechazados</translation>
+    </message>
+    <message>
+        <source>Which places the table lists</source>
+        <translation>Qué lugares enumera la tabla</translation>
+    </message>
+    <message>
+        <source>Loops</source>
+        <translation>Bucles</translation>
+    </message>
+    <message>
+        <source>No place has looked like an earlier one yet.</source>
+        <translation>Ningún lugar se ha parecido aún a uno anterior.</translation>
+    </message>
+    <message>
+        <source>With these parameters scans are not registered, and no loops are looked for. The preset “Recorded tours” does both.</source>
+        <translation>Con estos parámetros los barridos no se alinean, y no se buscan bucles. La configuración «Recorridos grabados» hace ambas cosas.</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Retirar el cambio</translation>
+    </message>
+    <message>
+        <source>Does not change this place by hand any more</source>
+        <translation>Deja de cambiar este lugar a mano</translation>
+    </message>
+    <message>
+        <source>Refuse</source>
+        <translation>Rechazar</translation>
+    </message>
+    <message>
+        <source>Takes this loop, and what was found beside it, out of the map</source>
+        <translation>Saca del mapa este bucle, y lo que se encontró a su lado</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Closes this loop as both passages lie below</source>
+        <translation>Cierra este bucle tal como las dos pasadas están abajo</translation>
+    </message>
+    <message>
+        <source>The run goes to the scan that came back</source>
+        <translation>La ejecución va al barrido que volvió</translation>
+    </message>
+    <message>
+        <source>The run goes to the scan of the earlier passage</source>
+        <translation>La ejecución va al barrido de la pasada anterior</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Ir a %1</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::LoopView</name>
+    <message>
+        <source>Both passages of the loop</source>
+        <translation>Las dos pasadas del bucle</translation>
+    </message>
+    <message>
+        <source>Choose a place: the scans of both passages stand here, one over the other.</source>
+        <translation>Elija un lugar: aquí están los barridos de las dos pasadas, uno sobre otro.</translation>
+    </message>
+    <message>
+        <source>scan %1</source>
+        <translation>barrido %1</translation>
     </message>
 </context>
 <context>
@@ -6588,6 +6844,10 @@
     <message>
         <source>As in the study already: %1</source>
         <translation>Ya como en el estudio: %1</translation>
+    </message>
+    <message>
+        <source>loops: closed, refused, changed by hand</source>
+        <translation>bucles: cerrados, rechazados, cambiados a mano</translation>
     </message>
 </context>
 <context>

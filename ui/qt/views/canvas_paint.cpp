@@ -187,6 +187,17 @@ void draw_disc(QPainter& painter, const QPointF& pixel, double radius, const QCo
     painter.drawEllipse(pixel, radius, radius);
 }
 
+double distance_to(const QLineF& segment, const QPointF& point) {
+    const QPointF along = segment.p2() - segment.p1();
+    const double length_squared = QPointF::dotProduct(along, along);
+    const double share =
+        length_squared > 0.0
+            ? std::clamp(QPointF::dotProduct(point - segment.p1(), along) / length_squared, 0.0,
+                         1.0)
+            : 0.0;
+    return QLineF(point, segment.p1() + share * along).length();
+}
+
 QPolygonF visible_line(const Scene& scene, double rho_m, double theta_rad) {
     const QRectF bounds = view_bounds(scene);
     const QPointF middle = bounds.center();

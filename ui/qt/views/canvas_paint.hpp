@@ -44,6 +44,9 @@ inline QPointF point_of(const Point2& point) {
     return {point.x, point.y};
 }
 
+/// Of a segment from a point.
+double distance_to(const QLineF& segment, const QPointF& point);
+
 /// Around points; null where there are none.
 QRectF box_of(const std::vector<QPointF>& points);
 

@@ -163,6 +163,11 @@ void GridView::set_highlight(const PickedLandmark& picked) {
     update();
 }
 
+void GridView::set_loop(const std::optional<RunLoop>& loop) {
+    loop_ = loop;
+    update();
+}
+
 void GridView::set_reference_map(const std::optional<LandmarkMap>& map) {
     reference_map_ = map;
     update();
@@ -252,6 +257,7 @@ void GridView::paint_scene(QPainter& painter, const Scene& scene) const {
     if (layers().has(Layer::graph)) paint_graph(painter, scene);
     if (!snapshot_ && layers().has(Layer::landmarks)) paint_landmarks(painter, scene);
     paint_traces(painter, scene);
+    paint_loop(painter, scene);
     paint_marks(painter, scene);
     if (scene.scale_bar) draw_scale_bar(painter, scene);
     if (hovered_ >= 0) {
@@ -303,10 +309,43 @@ void GridView::paint_graph(QPainter& painter, const Scene& scene) const {
         painter.drawEllipse(scene.to_screen.map(path_[key.scan]), 1.6, 1.6);
     }
     painter.setPen(thin_pen(colour, 1.6));
-    for (const LoopRecord& loop : snapshot_->loops) {
-        painter.drawLine(scene.to_screen.map(path_[loop.scan]),
-                         scene.to_screen.map(path_[loop.earlier]));
+    for (const RunLoop& loop : snapshot_->loops) {
+        if (const auto line = line_of(loop); line && loop.closed())
+            painter.drawLine(scene.to_screen.map(*line));
     }
+}
+
+std::optional<QLineF> GridView::line_of(const RunLoop& loop) const {
+    const auto [scan, earlier] = std::pair(loop.record.scan, loop.record.earlier);
+    if (!snapshot_ || std::max(scan, earlier) >= path_.size()) return std::nullopt;
+    return QLineF(path_[earlier], path_[scan]);
+}
+
+void GridView::paint_loop(QPainter& painter, const Scene& scene) const {
+    if (!loop_) return;
+    const auto line = line_of(*loop_);
+    if (!line) return;
+    const QColor colour = light_colours().highlight;
+    const QLineF on_screen = scene.to_screen.map(*line);
+    painter.setPen(thin_pen(colour, 3.0, loop_->closed() ? Qt::SolidLine : Qt::DashLine));
+    painter.drawLine(on_screen);
+    draw_disc(painter, on_screen.p1(), 5.5, colour);
+    draw_disc(painter, on_screen.p2(), 5.5, colour);
+}
+
+std::optional<RunLoop> GridView::loop_below(const QPointF& point) const {
+    if (!snapshot_ || !layers().has(Layer::graph)) return std::nullopt;
+    std::optional<RunLoop> nearest;
+    double reach = tolerance_m();
+    for (const RunLoop& loop : snapshot_->loops) {
+        const auto line = line_of(loop);
+        if (!line || !loop.closed()) continue;
+        const double away = distance_to(*line, point);
+        if (away > reach) continue;
+        reach = away;
+        nearest = loop;
+    }
+    return nearest;
 }
 
 /// On paper, which a grid is in every theme.
@@ -357,7 +396,9 @@ std::optional<ICaracteristica> GridView::landmark_below(const QPointF& point) co
 }
 
 void GridView::click(const QPointF& point) {
-    emit landmark_clicked({landmark_below(point)});
+    const auto landmark = landmark_below(point);
+    emit landmark_clicked({landmark});
+    if (!landmark) emit loop_clicked(loop_below(point));
 }
 
 QString GridView::empty_text() const {

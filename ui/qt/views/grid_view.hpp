@@ -40,6 +40,8 @@ class GridView final : public CanvasView {
     /// The landmarks over such a grid, in its frame.
     void set_landmarks(const hitos::window::MarkedMap& landmarks);
     void set_highlight(const hitos::window::PickedLandmark& picked);
+    /// Shows this loop strongly, closed or not; nothing shows none.
+    void set_loop(const std::optional<RunLoop>& loop);
     void set_reference_map(const std::optional<LandmarkMap>& map);
     void set_reference_path(const Trajectory& path_world);
     /// Drawn over everything else, with a legend.
@@ -52,6 +54,8 @@ class GridView final : public CanvasView {
 
   signals:
     void landmark_clicked(hitos::window::PickedLandmark landmark);
+    /// One that is drawn, and no landmark before it.
+    void loop_clicked(std::optional<hitos::RunLoop> loop);
 
   protected:
     void paint_scene(QPainter& painter, const Scene& scene) const override;
@@ -72,6 +76,10 @@ class GridView final : public CanvasView {
     void paint_traces(QPainter& painter, const Scene& scene) const;
     void paint_reference(QPainter& painter, const Scene& scene) const;
     void paint_graph(QPainter& painter, const Scene& scene) const;
+    void paint_loop(QPainter& painter, const Scene& scene) const;
+    /// From the earlier scan to the later one, where the path is that of the snapshot.
+    std::optional<QLineF> line_of(const RunLoop& loop) const;
+    std::optional<RunLoop> loop_below(const QPointF& point) const;
     void paint_landmarks(QPainter& painter, const Scene& scene) const;
     void paint_marks(QPainter& painter, const Scene& scene) const;
 
@@ -87,6 +95,7 @@ class GridView final : public CanvasView {
     QRectF other_content_;
     MarkedMap landmarks_;
     PickedLandmark highlight_;
+    std::optional<RunLoop> loop_;
     int hovered_ = -1;
     QPointF hovered_at_m_;
 };

@@ -27,18 +27,6 @@ void unite(QRectF& box, const QPointF& point) {
     box.setBottom(std::max(box.bottom(), point.y()));
 }
 
-/// Of a segment from a point.
-double distance_to(const QLineF& segment, const QPointF& point) {
-    const QPointF along = segment.p2() - segment.p1();
-    const double length_squared = QPointF::dotProduct(along, along);
-    const double share =
-        length_squared > 0.0
-            ? std::clamp(QPointF::dotProduct(point - segment.p1(), along) / length_squared, 0.0,
-                         1.0)
-            : 0.0;
-    return QLineF(point, segment.p1() + share * along).length();
-}
-
 }  // namespace
 
 ScanView::ScanView(QWidget* parent) : CanvasView(parent) {

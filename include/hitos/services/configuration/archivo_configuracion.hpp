@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "hitos/services/configuration/configuracion.hpp"
 
@@ -15,6 +16,12 @@ class ArchivoConfiguracion {
     /// values out of range; all mistakes of the file in one message. A log that it names by a
     /// relative path is looked for beside the file, then from the current folder.
     static Configuracion read(const std::filesystem::path& path);
+
+    /// The changes by hand of a graph (registration.edits) from a configuration file that has
+    /// nothing else. Throws what read() throws, and FormatError where it has.
+    static std::string read_edits(const std::filesystem::path& path);
+    /// Such a file, with `title` as its comment. Throws ConfigError where the changes are none.
+    static std::string edits_text(const std::string& title, std::string_view edits);
 
     /// As read(), from text; `name` stands in messages.
     static Configuracion parse(std::string_view text, const std::string& name);

@@ -9,6 +9,7 @@
 #include "hitos/capture/tour_finding.hpp"
 #include "hitos/registration/registration.hpp"
 #include "hitos/services/evaluation/run_evidence.hpp"
+#include "hitos/services/evaluation/run_loops.hpp"
 #include "hitos/services/evaluation/suitability.hpp"
 
 namespace hitos {
@@ -18,8 +19,7 @@ struct RunQuality {
     std::optional<double> cells_per_point;
     std::optional<double> odometry_cells_per_point;
     std::optional<RegistrationFigures> registration;   ///< of a run that has one
-    std::vector<LoopRecord> loops;                     ///< likewise
-    std::vector<LoopRecord> refused_loops;             ///< likewise
+    std::vector<RunLoop> loops;                        ///< likewise, the refused ones too
     std::vector<Advice> warnings;                      ///< why the map should not be trusted
     std::optional<std::vector<TourFinding>> findings;  ///< what looks wrong in the tour itself
 };

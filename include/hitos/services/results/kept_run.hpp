@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/services/evaluation/run_loops.hpp"
 #include "hitos/services/evaluation/run_measures.hpp"
 #include "hitos/services/files/line_extents.hpp"
 #include "hitos/services/files/trajectory_file.hpp"
@@ -23,8 +24,9 @@ struct KeptRun {
     std::vector<LineExtent> line_extents;
     Trajectory path;  ///< of the best hypothesis
     Trajectory odometry;
-    GridTiles grid;           ///< empty where only the log could tell
-    RunFigures figures = {};  ///< of a folder those that its summary states
+    GridTiles grid;                   ///< empty where only the log could tell
+    std::vector<RunLoop> loops = {};  ///< of a folder, without their errors
+    RunFigures figures = {};          ///< of a folder those that its summary states
 };
 
 /// A run from the folder that write_results() wrote, without its grid. Throws FileError where a

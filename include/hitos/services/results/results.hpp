@@ -88,6 +88,8 @@ std::string to_json(const RunSummary& summary, double seconds);
 std::string to_json(const ReadReport& report);
 /// Likewise a list of them.
 std::string to_json(std::span<const TourFinding> findings);
+/// Each as summary.json states it, closed or not.
+std::string to_json(std::span<const RunLoop> loops);
 
 /// Measured distances, as the summary states them under "distances".
 std::string to_json(std::span<const MeasuredDistance> distances);

@@ -82,7 +82,9 @@ class Algoritmo {
     const SlamFilter& filter() const { return *state_.filter; }
     /// Null where the algorithm asks for none.
     const Registration* registration() const { return state_.registration.get(); }
-    const Scan& scan() const { return state_.scan; }                       ///< the last one
+    const Scan& scan() const { return state_.scan; }  ///< the last one
+    /// Those of registration's keys; empty where no grid is drawn.
+    const std::vector<std::shared_ptr<const Scan>>& key_scans() const { return state_.key_scans; }
     const Observation& observation() const { return state_.observation; }  ///< its features
     const ReadReport& report() const { return reader_->report(); }
     /// With registration it is of the key scans, and drawn anew when it is asked for after a

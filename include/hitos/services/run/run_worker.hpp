@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "hitos/base/message.hpp"
+#include "hitos/services/evaluation/run_loops.hpp"
 #include "hitos/services/grid/grid_tiles.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/services/run/pace.hpp"
@@ -29,6 +30,7 @@ struct SnapshotParts {
     std::optional<std::size_t> particle;  ///< map and path of one of the hypotheses
     bool ancestry = false;
     bool joint_covariance = false;
+    bool key_scans = false;
     friend bool operator==(const SnapshotParts&, const SnapshotParts&) = default;
 };
 
@@ -62,9 +64,11 @@ struct Snapshot {
     std::optional<ParticleDetails> particle;  ///< where asked for and there
     std::vector<HistoryBranch> ancestry;      ///< where asked for
     Trajectory best_trajectory;
-    Trajectory online_trajectory;   ///< as Algoritmo::online_trajectory()
-    std::vector<KeyPose> keys;      ///< of registration; empty without
-    std::vector<LoopRecord> loops;  ///< likewise
+    Trajectory online_trajectory;  ///< as Algoritmo::online_trajectory()
+    std::vector<KeyPose> keys;     ///< of registration; empty without
+    std::vector<RunLoop> loops;    ///< likewise, the refused ones too
+    /// Those of the keys, where asked for and the run draws its grid.
+    std::vector<std::shared_ptr<const Scan>> key_scans;
     Trajectory odometry_trajectory;
     GridTiles step_grid;
     std::vector<Advice> advice;  ///< of a finished run: what speaks against it

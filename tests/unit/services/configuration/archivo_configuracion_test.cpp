@@ -95,6 +95,7 @@ TEST(ArchivoConfiguracion, TextReadsBackToTheLastBit) {
         // What check() refuses together is met with probability 0, but for these.
         c.grid.max_range_m = 100.0;
         c.filter.association.new_probability = 0.9999995;
+        c.registration.edits = "slip 7\n# a comment\nrefuse 9@1.5 3";
         const std::string text = ArchivoConfiguracion::to_text(c);
         const Configuracion back = ArchivoConfiguracion::parse(text, "x");
         expect_equal(back, c);

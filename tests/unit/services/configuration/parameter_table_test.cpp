@@ -44,7 +44,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 106U);
+    EXPECT_EQ(keys.size(), 107U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
@@ -111,7 +111,7 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
         "registration.key_angle",    "registration.point_sigma", "registration.odometry_scale",
         "registration.robust_prior", "registration.search",      "registration.calibrate",
         "registration.loops",        "registration.loop_score",  "registration.loops_agree",
-        "registration.final_passes"};
+        "registration.final_passes", "registration.edits"};
     const Keys fixed = {"observation.var_rho", "observation.var_theta"};
     const Keys points = {"observation.point_sigma", "observation.common_sigma"};
     const Keys split = {"split_merge.dmax", "split_merge.fit", "split_merge.gap",
@@ -284,7 +284,8 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.extraction.corner_distance_m = 0.59;
     c.extraction.corner_angle_rad = 0.5;
     c.extraction.corner_lines = CornerLines::fitted;
-    c.registration = {1.81, 82, 0.83, 0.84, 0.85, 0.86, false, false, false, false, 0.87, 8, 89};
+    c.registration = {1.81,  82,    0.83,  0.84, 0.85, 0.86, false,
+                      false, false, false, 0.87, 8,    89,   "slip 5; refuse 9 2"};
     c.grid = {0.61, 0.62, -0.63, 6.4, 6.5, PathMarks::cross_and_ring};
     const std::map<std::string_view, std::string> expected = {
         {"source.file", "a.log"},
@@ -343,6 +344,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"registration.loop_score", "0.87"},
         {"registration.loops_agree", "8"},
         {"registration.final_passes", "89"},
+        {"registration.edits", "slip 5; refuse 9 2"},
         {"motion.model", "proportional"},
         {"motion.unit", "variance"},
         {"motion.sigma_x", "0.11"},

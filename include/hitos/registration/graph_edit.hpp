@@ -1,0 +1,58 @@
+// What somebody changes by hand in the graph of a tour.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hitos/base/geometry.hpp"
+
+namespace hitos {
+
+inline constexpr const char* kGraphEditsKey = "registration.edits";
+
+/// A scan of the tour, from 0, and its stamp where it was noted: a change belongs to one tour.
+struct EditedScan {
+    std::uint64_t scan = 0;
+    std::optional<double> stamp_s = std::nullopt;
+    friend bool operator==(const EditedScan&, const EditedScan&) = default;
+};
+
+struct GraphEdit {
+    enum class Kind : std::uint8_t {
+        refuse,  ///< `scan` has not come back to `earlier`, nor have the next ones to its
+                 ///< neighbours
+        close,   ///< it has: `pose` is that of `scan` seen from `earlier`
+        fix,     ///< `scan` was made at `pose` of the map
+        slip     ///< what the odometry says of the step to `scan` says nothing
+    };
+    Kind kind = Kind::refuse;
+    EditedScan scan;
+    EditedScan earlier = {};  ///< of refuse and close
+    Pose pose = {};           ///< of close and fix [m, m, rad]
+
+    bool of_two() const { return kind == Kind::refuse || kind == Kind::close; }
+    bool has_pose() const { return kind == Kind::close || kind == Kind::fix; }
+    friend bool operator==(const GraphEdit&, const GraphEdit&) = default;
+};
+
+/// "refuse", "close" …
+std::string_view word_of(GraphEdit::Kind kind);
+/// Nothing for another word.
+std::optional<GraphEdit::Kind> edit_kind_of(std::string_view word);
+
+/// Of "refuse 812@65.25 40; close 900 37 0.1 -0.2 1.57; fix 30 1 2 0; slip 55": changes with
+/// semicolons or line ends between, each of a word, its scans, counted from 1, with their stamps
+/// [s] where they are known, and its pose; # begins a comment. Throws ConfigError of kGraphEditsKey
+/// that says which one is wrong.
+std::vector<GraphEdit> parse_graph_edits(std::string_view text);
+/// Reads back as the same, to the last bit.
+std::string text_of(std::span<const GraphEdit> edits);
+
+/// Throws ConfigError where a change is none, or two contradict each other.
+void check_graph_edits(std::span<const GraphEdit> edits);
+
+}  // namespace hitos

@@ -1,0 +1,155 @@
+#include "hitos/registration/graph_edit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
+
+namespace hitos {
+namespace {
+
+/// In the order of GraphEdit::Kind.
+constexpr std::array<std::string_view, 4> kWords{"refuse", "close", "fix", "slip"};
+constexpr double kMostScans = 1e15;
+constexpr std::size_t kMostEdits = 1000;  // each is compared with every other
+
+ConfigError wrong(std::size_t number, const Message& why) {
+    return {kGraphEditsKey, HITOS_TEXT("Errors", "change %1: %2"), number, why};
+}
+
+/// "812@65.25"
+std::optional<EditedScan> scan_of(std::string_view word) {
+    const std::size_t at = word.find('@');
+    const auto number = input::parse_number(word.substr(0, at));
+    if (!number || !(*number >= 1.0 && *number <= kMostScans) || *number != std::floor(*number)) {
+        return std::nullopt;
+    }
+    EditedScan scan{static_cast<std::uint64_t>(*number) - 1};
+    if (at == std::string_view::npos) return scan;
+    scan.stamp_s = input::parse_number(word.substr(at + 1));
+    if (!scan.stamp_s || !std::isfinite(*scan.stamp_s)) return std::nullopt;
+    return scan;
+}
+
+GraphEdit edit_of(std::string_view text, std::size_t number) {
+    const auto refuse = [&] {
+        return wrong(number,
+                     message(HITOS_TEXT("Errors",
+                                        "found %1; expected \"refuse SCAN EARLIER\", \"close SCAN "
+                                        "EARLIER X Y THETA\", \"fix SCAN X Y THETA\" or \"slip "
+                                        "SCAN\", scans counted from 1, as SCAN@STAMP where the "
+                                        "stamp is to be held, X and Y in metres, THETA in rad"),
+                             input::in_quotes(text)));
+    };
+    const std::vector<std::string_view> words = input::fields(text);
+    const auto kind = words.empty() ? std::nullopt : edit_kind_of(words.front());
+    if (!kind) throw refuse();
+    GraphEdit edit{*kind, {}};
+    const std::size_t count = 2U + (edit.of_two() ? 1U : 0U) + (edit.has_pose() ? 3U : 0U);
+    if (words.size() != count) throw refuse();
+    std::size_t next = 1;
+    const auto take_scan = [&] {
+        const auto scan = scan_of(words[next++]);
+        if (!scan) throw refuse();
+        return *scan;
+    };
+    edit.scan = take_scan();
+    if (edit.of_two()) edit.earlier = take_scan();
+    if (edit.has_pose()) {
+        for (double* value : {&edit.pose.x, &edit.pose.y, &edit.pose.theta}) {
+            const auto read = input::parse_number(words[next++]);
+            if (!read || !(std::abs(*read) <= input::kGreatestNumber)) throw refuse();
+            *value = *read;
+        }
+    }
+    return edit;
+}
+
+std::string text_of(const EditedScan& scan) {
+    return scan.stamp_s ? fmt::format("{}@{}", scan.scan + 1, *scan.stamp_s)
+                        : fmt::format("{}", scan.scan + 1);
+}
+
+/// Of two changes only one can be so.
+bool contradict(const GraphEdit& a, const GraphEdit& b) {
+    if (a.of_two() && b.of_two()) {
+        return a.scan.scan == b.scan.scan && a.earlier.scan == b.earlier.scan;
+    }
+    return a.kind == b.kind && a.scan.scan == b.scan.scan;
+}
+
+}  // namespace
+
+std::string_view word_of(GraphEdit::Kind kind) {
+    return kWords.at(static_cast<std::size_t>(kind));
+}
+
+std::optional<GraphEdit::Kind> edit_kind_of(std::string_view word) {
+    const auto found = std::ranges::find(kWords, word);
+    if (found == kWords.end()) return std::nullopt;
+    return static_cast<GraphEdit::Kind>(found - kWords.begin());
+}
+
+std::vector<GraphEdit> parse_graph_edits(std::string_view text) {
+    std::vector<GraphEdit> edits;
+    while (const auto line = input::next_line(text)) {
+        std::string_view rest = line->substr(0, line->find('#'));
+        while (!rest.empty()) {
+            const std::size_t end = std::min(rest.find(';'), rest.size());
+            const std::string_view change = input::trimmed(rest.substr(0, end));
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+            if (change.empty()) continue;
+            if (edits.size() == kMostEdits) {
+                throw ConfigError(kGraphEditsKey,
+                                  HITOS_TEXT("Errors", "found more than %1 changes"), kMostEdits);
+            }
+            edits.push_back(edit_of(change, edits.size() + 1));
+        }
+    }
+    check_graph_edits(edits);
+    return edits;
+}
+
+std::string text_of(std::span<const GraphEdit> edits) {
+    std::string text;
+    for (const GraphEdit& edit : edits) {
+        if (!text.empty()) text += "; ";
+        text += fmt::format("{} {}", word_of(edit.kind), text_of(edit.scan));
+        if (edit.of_two()) text += " " + text_of(edit.earlier);
+        if (edit.has_pose()) {
+            text += fmt::format(" {} {} {}", edit.pose.x, edit.pose.y, edit.pose.theta);
+        }
+    }
+    return text;
+}
+
+void check_graph_edits(std::span<const GraphEdit> edits) {
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+        const GraphEdit& edit = edits[i];
+        if (edit.of_two() && edit.earlier.scan >= edit.scan.scan) {
+            throw wrong(i + 1,
+                        message(HITOS_TEXT("Errors",
+                                           "scan %1 is said to come back to scan %2; expected an "
+                                           "earlier one"),
+                                edit.scan.scan + 1, edit.earlier.scan + 1));
+        }
+        if (!edit.of_two() && edit.scan.scan == 0) {
+            throw wrong(i + 1, marked(HITOS_TEXT("Errors",
+                                                 "the first scan is where the map begins: it can "
+                                                 "neither be fixed elsewhere nor slip")));
+        }
+        const std::span before = edits.first(i);
+        const auto other = std::ranges::find_if(
+            before, [&](const GraphEdit& one) { return contradict(one, edit); });
+        if (other == before.end()) continue;
+        throw wrong(i + 1, message(HITOS_TEXT("Errors", "is of the same scans as change %1"),
+                                   other - before.begin() + 1));
+    }
+}
+
+}  // namespace hitos

@@ -1,0 +1,108 @@
+#include "graph_editor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hitos/base/error.hpp"
+
+namespace hitos {
+namespace {
+
+constexpr double kBeside = 5.0;  // [m] of way, as wide as what is searched for
+
+}  // namespace
+
+GraphEditor::GraphEditor(std::vector<GraphEdit> edits)
+    : edits_(std::move(edits)), met_(edits_.size(), false) {}
+
+void GraphEditor::check(std::uint64_t number, const Scan& scan) const {
+    constexpr double kSameStamp = 1e-3;  // [s]
+    for (std::size_t i = 0; i < edits_.size(); ++i) {
+        for (const EditedScan& named : {edits_[i].scan, edits_[i].earlier}) {
+            if (named.scan != number || !named.stamp_s) continue;
+            if (std::abs(*named.stamp_s - scan.stamp_s()) <= kSameStamp) continue;
+            throw ConfigError(kGraphEditsKey,
+                              HITOS_TEXT("Errors",
+                                         "change %1 is of another tour, or of this one read "
+                                         "otherwise: scan %2 had the stamp %3 when it was made, "
+                                         "and has %4"),
+                              i + 1, number + 1, *named.stamp_s, scan.stamp_s());
+        }
+    }
+}
+
+bool GraphEditor::needs_key(std::uint64_t scan) const {
+    return std::ranges::any_of(edits_, [&](const GraphEdit& edit) {
+        return edit.has_pose() &&
+               (edit.scan.scan == scan || (edit.of_two() && edit.earlier.scan == scan));
+    });
+}
+
+bool GraphEditor::slipped(std::uint64_t scan) {
+    bool slipped = false;
+    for (std::size_t i = 0; i < edits_.size(); ++i) {
+        if (edits_[i].kind != GraphEdit::Kind::slip || edits_[i].scan.scan != scan) continue;
+        slipped = met_[i] = true;
+    }
+    return slipped;
+}
+
+std::vector<GraphEdit> GraphEditor::of_newest(const KeyGraph& graph) {
+    std::vector<GraphEdit> found;
+    for (std::size_t i = 0; i < edits_.size(); ++i) {
+        if (!edits_[i].has_pose() || edits_[i].scan.scan != graph.poses.back().scan) continue;
+        met_[i] = true;
+        found.push_back(edits_[i]);
+    }
+    return found;
+}
+
+/// Other changes move what is found by some scans.
+bool GraphEditor::names(const GraphEdit& edit, const KeyGraph& graph, const LoopFound& loop) {
+    const std::uint64_t newest = graph.poses.back().scan;
+    const auto back = std::ranges::upper_bound(
+        graph.scans, graph.scans.back().travelled_m - kBeside, {}, &KeyScan::travelled_m);
+    const std::uint64_t beside =
+        newest - graph.poses[static_cast<std::size_t>(back - graph.scans.begin())].scan;
+    const std::uint64_t apart =
+        newest > edit.scan.scan ? newest - edit.scan.scan : edit.scan.scan - newest;
+    if (edit.kind != GraphEdit::Kind::refuse || apart > beside) return false;
+    const auto earlier =
+        std::ranges::upper_bound(graph.poses, edit.earlier.scan, {}, &KeyPose::scan);
+    if (earlier == graph.poses.begin()) return false;
+    const auto key = static_cast<std::size_t>(earlier - graph.poses.begin()) - 1;
+    return std::abs(graph.scans[loop.key].travelled_m - graph.scans[key].travelled_m) <= kBeside;
+}
+
+bool GraphEditor::refuses(const KeyGraph& graph, const LoopFound& loop) {
+    constexpr double kMemory = 12.0;  // [m] of way without a find, as that of the search
+    const double way_m = graph.scans.back().travelled_m;
+    const double earlier_way_m = graph.scans[loop.key].travelled_m;
+    bool refused = false;
+    for (std::size_t i = 0; i < edits_.size(); ++i) {
+        if (names(edits_[i], graph, loop)) refused = met_[i] = true;
+    }
+    if (refused) {
+        refused_.push_back({way_m, earlier_way_m});
+        return true;
+    }
+    for (Refused& last : refused_) {
+        const double since = way_m - last.way_m;
+        if (since > kMemory || std::abs(earlier_way_m - last.earlier_way_m) > since + kBeside)
+            continue;
+        last = {way_m, earlier_way_m};
+        return true;
+    }
+    return false;
+}
+
+std::vector<std::uint64_t> GraphEditor::unmet() const {
+    std::vector<std::uint64_t> unmet;
+    for (std::size_t i = 0; i < met_.size(); ++i) {
+        if (!met_[i]) unmet.push_back(i);
+    }
+    return unmet;
+}
+
+}  // namespace hitos

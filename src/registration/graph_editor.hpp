@@ -1,0 +1,49 @@
+// Changes by hand, as a tour comes to them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "hitos/capture/scan.hpp"
+#include "hitos/registration/graph_edit.hpp"
+#include "key_graph.hpp"
+#include "loop_closer.hpp"
+
+namespace hitos {
+
+class GraphEditor {
+  public:
+    explicit GraphEditor(std::vector<GraphEdit> edits);
+
+    bool empty() const { return edits_.empty(); }
+    /// Throws ConfigError where a change names the scan with another stamp.
+    void check(std::uint64_t number, const Scan& scan) const;
+    /// Whether a change needs the scan as a key.
+    bool needs_key(std::uint64_t scan) const;
+    /// Whether the step to the scan has slipped.
+    bool slipped(std::uint64_t scan);
+    /// The changes of `close` and `fix` of the graph's newest key.
+    std::vector<GraphEdit> of_newest(const KeyGraph& graph);
+    /// Whether a loop, of the graph's newest key, is refused. What goes on where a refused one
+    /// began is refused with it: every place found until none is found for some way.
+    bool refuses(const KeyGraph& graph, const LoopFound& loop);
+    std::vector<std::uint64_t> unmet() const;
+
+  private:
+    /// Of a refused stretch the last place: ways driven to both scans.
+    struct Refused {
+        double way_m;
+        double earlier_way_m;
+    };
+
+    static bool names(const GraphEdit& edit, const KeyGraph& graph, const LoopFound& loop);
+
+    std::vector<GraphEdit> edits_;
+    std::vector<bool> met_;
+    std::vector<Refused> refused_;
+};
+
+}  // namespace hitos

@@ -1,0 +1,177 @@
+// The loops of a run: listed, shown, chosen in the map, changed by hand.
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+
+#include "gui_fixture.hpp"
+#include "inspect/loop_table.hpp"
+#include "inspect/loop_view.hpp"
+#include "tests.hpp"
+
+namespace hitos::window {
+namespace {
+
+class Loops : public Fixture {
+  public:
+    Loops() {
+        Configuracion configuration =
+            ArchivoConfiguracion::read(Fixture::source_file("config/recorded.cfg").toStdString());
+        configuration.source.file = Fixture::source_file("data/bigloop.log.gz").toStdString();
+        configuration.filter.particles = 3;
+        session.set_configuration(configuration);
+    }
+
+    LoopTable& dock() const { return *window->findChild<LoopTable*>(); }
+    const LoopModel& model() const { return *dock().findChild<LoopModel*>(); }
+    QPushButton& button(const char* name) const { return *dock().findChild<QPushButton*>(name); }
+    QString reason() const { return dock().findChild<QLabel*>("loop_reason")->text(); }
+    void list(int which) const {
+        dock().findChild<QComboBox*>("loops_listed")->setCurrentIndex(which);
+    }
+    /// The first loop that was closed.
+    RunLoop closed() const {
+        const auto snapshot = session.snapshot();
+        const auto found = std::ranges::find_if(snapshot->loops, &RunLoop::closed);
+        if (found == snapshot->loops.end()) qFatal("no loop was closed");
+        return *found;
+    }
+    void choose(const RunLoop& loop) const {
+        const auto& loops = model().loops();
+        const auto found = std::ranges::find_if(loops, [&](const RunLoop& one) {
+            return one.record.scan == loop.record.scan && one.record.earlier == loop.record.earlier;
+        });
+        if (found == loops.end()) qFatal("the loop is not listed");
+        FiguresTable& table = dock().table();
+        auto* proxy = qobject_cast<QSortFilterProxyModel*>(table.model());
+        const QModelIndex index =
+            proxy->mapFromSource(model().index(static_cast<int>(found - loops.begin()), 0));
+        table.scrollTo(index);
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(index).center());
+    }
+};
+
+}  // namespace
+
+void InspectTest::loops_are_listed_with_the_reason() {
+    Loops f;
+    f.run_to_end();
+    QVERIFY(f.session.snapshot()->key_scans.empty());  // nobody looks
+    f.trigger("action_loops_dock");
+    QTRY_VERIFY(f.shows_everything() && !f.session.snapshot()->key_scans.empty());
+    const auto snapshot = f.session.snapshot();
+    QCOMPARE(f.model().loops().size(), snapshot->loops.size());
+    f.list(1);
+    QVERIFY(std::ranges::all_of(f.model().loops(), &RunLoop::closed));
+    f.list(2);
+    QVERIFY(!f.model().loops().empty());
+    QVERIFY(std::ranges::none_of(f.model().loops(), &RunLoop::closed));
+    f.choose(f.model().loops().front());
+    QVERIFY2(f.reason().startsWith("Said once: too few searches"), qPrintable(f.reason()));
+    f.list(0);
+
+    const QImage before = f.window->grid_view().grab().toImage();
+    f.choose(f.closed());
+    QVERIFY2(f.reason().startsWith("Closed: the walls match"), qPrintable(f.reason()));
+    QVERIFY(f.window->grid_view().grab().toImage() != before);
+    // Both passages over each other: most of what the later one saw lies on what the earlier saw.
+    const LoopView& view = f.dock().view();
+    QVERIFY(view.earlier_points().size() > 500 && view.later_points().size() > 500);
+    const auto near = std::ranges::count_if(view.later_points(), [&](const QPointF& point) {
+        return std::ranges::any_of(view.earlier_points(), [&](const QPointF& other) {
+            return QLineF(point, other).length() < 0.15;
+        });
+    });
+    QVERIFY2(near > static_cast<std::ptrdiff_t>(view.later_points().size()) * 7 / 10,
+             qPrintable(QString("%1 of %2").arg(near).arg(view.later_points().size())));
+    // To its scans and back.
+    const RunLoop loop = f.closed();
+    QTest::mouseClick(&f.button("loop_to_earlier"), Qt::LeftButton);
+    QTRY_COMPARE(f.session.progress().steps, loop.record.earlier + 1);
+}
+
+void InspectTest::a_loop_is_chosen_in_the_map() {
+    Loops f;
+    f.run_to_end();
+    f.trigger("action_loops_dock");
+    QTRY_VERIFY(f.shows_everything() && !f.session.snapshot()->key_scans.empty());
+    GridView& map = f.window->grid_view();
+    LayerSet layers = map.layers();
+    layers.set(Layer::graph, true);
+    map.set_layers(layers);
+    int chosen = 0;
+    for (const RunLoop& loop : f.session.snapshot()->loops) {
+        if (!loop.closed()) continue;
+        f.dock().choose(std::nullopt);
+        const QPointF middle((loop.scan.pose.x + loop.earlier.pose.x) / 2.0,
+                             (loop.scan.pose.y + loop.earlier.pose.y) / 2.0);
+        QTest::mouseClick(&map, Qt::LeftButton, {}, pixel_in(map, middle));
+        const int row = f.dock().table().chosen();  // -1 where a landmark lies before it
+        if (row < 0) continue;
+        ++chosen;
+        const RunLoop& found = f.model().loops()[static_cast<std::size_t>(row)];
+        QVERIFY(found.closed());
+        QVERIFY(QLineF(middle, QPointF(found.scan.pose.x, found.scan.pose.y)).length() < 1.0);
+    }
+    QVERIFY(chosen > 0);
+    f.dock().choose(f.closed());
+    QVERIFY(f.dock().table().chosen() >= 0);
+    QTest::mouseClick(&map, Qt::LeftButton, {}, {4, 4});  // where nothing is
+    QCOMPARE(f.dock().table().chosen(), -1);
+}
+
+void InspectTest::a_loop_is_refused_taken_back_and_closed_by_hand() {
+    Loops f;
+    f.run_to_end();
+    f.trigger("action_loops_dock");
+    QTRY_VERIFY(f.shows_everything() && !f.session.snapshot()->key_scans.empty());
+    const RunLoop loop = f.closed();
+    const auto trajectory = f.session.snapshot()->best_trajectory;
+    const auto path_is_as_before = [&] {
+        const auto& now = f.session.snapshot()->best_trajectory;
+        return std::ranges::equal(now, trajectory, {}, &StampedPose::pose, &StampedPose::pose);
+    };
+    f.choose(loop);
+    QCOMPARE(f.button("loop_change").text(), "Refuse");
+    QTest::mouseClick(&f.button("loop_change"), Qt::LeftButton);
+    const auto at_rest = [&] {
+        return f.session.progress().state == Progress::State::finished && f.shows_everything();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(at_rest(), 60000);
+    const std::string edits = f.session.configuration().registration.edits;
+    QVERIFY2(edits.starts_with("refuse " + std::to_string(loop.record.scan + 1) + "@"),
+             edits.c_str());
+    QVERIFY(f.reason().startsWith("Refused by hand"));
+    QCOMPARE(f.button("loop_change").text(), "Take back");
+    QVERIFY(!path_is_as_before());
+    QTest::mouseClick(&f.button("loop_change"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(at_rest() && f.session.configuration().registration.edits.empty(),
+                             60000);
+    QVERIFY(path_is_as_before());
+    // Undo takes the change up again.
+    f.trigger("action_undo");
+    QCOMPARE(f.session.configuration().registration.edits, edits);
+    f.trigger("action_redo");
+    f.run_to_end();
+    f.list(2);
+    f.choose(f.model().loops().front());
+    QCOMPARE(f.button("loop_change").text(), "Close");
+    QTest::mouseClick(&f.button("loop_change"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(at_rest(), 60000);
+    QVERIFY(f.session.configuration().registration.edits.starts_with("close "));
+    QVERIFY(std::ranges::any_of(f.session.snapshot()->loops,
+                                [](const RunLoop& one) { return one.record.by_hand; }));
+}
+
+void InspectTest::without_registration_there_are_no_loops() {
+    Fixture f;
+    f.run_steps(20);
+    f.trigger("action_loops_dock");
+    const auto* none = f.window->findChild<QLabel*>("no_loops");
+    QVERIFY(none->isVisible());
+    QVERIFY(none->text().contains("not registered"));
+    QVERIFY(!f.window->findChild<FiguresTable*>("loop_table")->isVisible());
+}
+
+}  // namespace hitos::window

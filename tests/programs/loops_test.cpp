@@ -1,0 +1,151 @@
+// hitos-cli: the loops of a run in files, against a reference, and changed by hand.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "program.hpp"
+
+namespace hitos {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class LoopsTest : public test::ProgramTest {
+  protected:
+    void SetUp() override {
+        test::ProgramTest::SetUp();
+        const test::Outcome simulated =
+            test::shell(cli_ + " simulate recinto --seed 3 --format carmen --truth " +
+                        path("truth.tum") + " --out " + tour_);
+        ASSERT_EQ(simulated.status, 0) << simulated.output;
+    }
+    test::Outcome run(const std::string& folder, const std::string& options = "") const {
+        return test::shell(cli_ + " run " + tour_ +
+                           " --preset recorded --set filter.particles=5 --replace --out " +
+                           path(folder) + " " + options);
+    }
+    json quality_of(const std::string& folder) const {
+        return json::parse(test::content(folder_ / folder / "summary.json"))["quality"];
+    }
+    std::string content(const std::string& file) const { return test::content(folder_ / file); }
+
+    const std::string tour_ = path("tour.log");
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::size_t begin = 0;
+    for (std::size_t end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
+        lines.push_back(text.substr(begin, end - begin));
+    return lines;
+}
+
+TEST_F(LoopsTest, EveryPlaceIsARowAndJudgedByTheReference) {
+    const test::Outcome told = run("out", "--reference-trajectory " + path("truth.tum"));
+    ASSERT_EQ(told.status, 0) << told.output;
+    const json quality = quality_of("out");
+    ASSERT_FALSE(quality["loops"].empty());
+    const std::vector<std::string> rows = lines_of(content("out/loops.csv"));
+    EXPECT_EQ(rows.size(), 1 + quality["loops"].size() + quality["refused_loops"].size());
+    EXPECT_THAT(rows[0], HasSubstr("scan,earlier,verdict,"));
+    const auto is_closed = [](const std::string& row) {
+        return row.find(",closed,") != std::string::npos;
+    };
+    EXPECT_EQ(std::ranges::count_if(rows, is_closed), quality["loops_closed"]);
+    // The log has noise of millimetres: no loop is false.
+    EXPECT_EQ(quality["loops_judged"], quality["loops_closed"]);
+    EXPECT_EQ(quality["loops_false"], 0);
+    EXPECT_LT(quality["worst_loop_m"], 0.2);
+    EXPECT_THAT(told.output,
+                HasSubstr("0 of " + quality["loops_judged"].dump() + " of them false"));
+    for (const json& loop : quality["loops"]) EXPECT_LT(loop["error_m"], 0.2);
+
+    const test::Outcome evaluated =
+        test::shell(cli_ + " evaluate " + path("out") + " --reference-trajectory " +
+                    path("truth.tum") + " --json --out " + path("measured"));
+    ASSERT_EQ(evaluated.status, 0) << evaluated.output;
+    const json figures = json::parse(evaluated.output);
+    for (const char* figure : {"loops_judged", "loops_false", "worst_loop_m"})
+        EXPECT_EQ(figures[figure], quality[figure]) << figure;
+    EXPECT_EQ(content("measured/loops.csv"), content("out/loops.csv"));
+}
+
+TEST_F(LoopsTest, ChangesByHandAreDoneAgainToTheSameBytes) {
+    ASSERT_EQ(run("plain").status, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "plain/edits.toml"));
+    const json first = quality_of("plain")["loops"][0];
+    const std::string scans = first["scan"].dump() + " " + first["earlier"].dump();
+    const test::Outcome changed =
+        run("changed", "--set 'registration.edits=refuse " + scans + "; slip 100'");
+    ASSERT_EQ(changed.status, 0) << changed.output;
+    const json quality = quality_of("changed");
+    const auto& refused = quality["refused_loops"];
+    EXPECT_TRUE(std::ranges::any_of(refused, [&](const json& loop) {
+        return loop["verdict"] == "by-hand" && loop["scan"] == first["scan"];
+    })) << refused;
+    EXPECT_THAT(content("changed/edits.toml"), HasSubstr("refuse " + first["scan"].dump() + "@"));
+
+    ASSERT_EQ(run("again", "--edits " + path("changed/edits.toml")).status, 0);
+    for (const char* file : {"map.txt", "trajectory.tum", "loops.csv", "edits.toml",
+                             "grid_best.png", "segments.txt"}) {
+        const std::string name = file;
+        EXPECT_EQ(content("again/" + name), content("changed/" + name)) << name;
+    }
+    EXPECT_NE(content("again/trajectory.tum"), content("plain/trajectory.tum"));
+    // And from the configuration of the results.
+    const test::Outcome from_results =
+        test::shell(cli_ + " run " + tour_ + " --config " + path("changed/config.cfg") + " --out " +
+                    path("third"));
+    ASSERT_EQ(from_results.status, 0) << from_results.output;
+    EXPECT_EQ(content("third/trajectory.tum"), content("changed/trajectory.tum"));
+}
+
+TEST_F(LoopsTest, ALoopThatWasNotFoundIsClosed) {
+    ASSERT_EQ(run("plain").status, 0);
+    const json found = quality_of("plain")["loops"][0];
+    const std::string change = "close " + found["scan"].dump() + " " + found["earlier"].dump() +
+                               " " + found["pose"][0].dump() + " " + found["pose"][1].dump() + " " +
+                               found["pose"][2].dump();
+    const test::Outcome closed = run("closed",
+                                     "--set registration.loops=off --set "
+                                     "'registration.edits=" +
+                                         change + "'");
+    ASSERT_EQ(closed.status, 0) << closed.output;
+    const json loops = quality_of("closed")["loops"];
+    ASSERT_EQ(loops.size(), 1U);
+    EXPECT_EQ(loops[0]["scan"], found["scan"]);
+    EXPECT_GT(loops[0]["score"], 0.5);
+    EXPECT_THAT(content("closed/loops.csv"), HasSubstr("somebody has put it in"));
+}
+
+TEST_F(LoopsTest, ChangesThatDoNotFitAreRefusedWithTheReason) {
+    const auto said = [&](const std::string& options) {
+        const test::Outcome outcome = run("bad", options);
+        EXPECT_NE(outcome.status, 0) << options;
+        EXPECT_FALSE(std::filesystem::exists(folder_ / "bad")) << options;
+        return outcome.output;
+    };
+    EXPECT_THAT(said("--set 'registration.edits=slip 50@1234567'"),
+                HasSubstr("is of another tour"));
+    EXPECT_THAT(said("--set 'registration.edits=slip fifty'"), HasSubstr("change 1: found"));
+    EXPECT_THAT(said("--edits " + file("more.toml", "[filter]\nparticles = 3\n")),
+                HasSubstr("sets filter.particles too"));
+    EXPECT_THAT(said("--edits " + file("bad.toml", "[registration]\nedits = \"open 3\"\n")),
+                HasSubstr("bad.toml:2: registration.edits: change 1"));
+    EXPECT_THAT(said("--edits " + path("none.toml")), HasSubstr("none.toml"));
+    EXPECT_THAT(said("--edits " + file("slip.toml", "[registration]\nedits = \"slip 3\"\n") +
+                     " --set motion.model=odometry"),
+                HasSubstr("with these parameters there is none"));
+    // What meets nothing changes nothing, and is told.
+    const test::Outcome told = run("unmet", "--set 'registration.edits=slip 99999'");
+    EXPECT_EQ(told.status, 0);
+    EXPECT_THAT(told.output, HasSubstr("Changes by hand have met nothing to change (1"));
+}
+
+}  // namespace
+}  // namespace hitos

@@ -1,0 +1,234 @@
+#include "hitos/registration/graph_edit.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "hitos/base/error.hpp"
+#include "ring_tour.hpp"
+
+namespace hitos {
+namespace {
+
+using testing::HasSubstr;
+
+std::string said_of(const std::string& text) {
+    try {
+        static_cast<void>(parse_graph_edits(text));
+    } catch (const ConfigError& error) {
+        EXPECT_EQ(error.key(), kGraphEditsKey);
+        return error.what();
+    }
+    return {};
+}
+
+TEST(GraphEdit, ReadsWhatItWrites) {
+    const std::vector<GraphEdit> edits{
+        {GraphEdit::Kind::refuse, {811, 65.25}, {39}},
+        {GraphEdit::Kind::close, {899}, {36, -1.0 / 3.0}, {0.1, -1.0 / 7.0, 3.0}},
+        {GraphEdit::Kind::fix, {29, 1e9 + 0.125}, {}, {1.0, 2.0, 0.0}},
+        {GraphEdit::Kind::slip, {54}}};
+    const std::string text = text_of(edits);
+    EXPECT_EQ(parse_graph_edits(text), edits);
+    EXPECT_EQ(text_of(parse_graph_edits(text)), text);
+    EXPECT_THAT(text, HasSubstr("refuse 812@65.25 40; close 900 37@"));
+}
+
+TEST(GraphEdit, LinesCommentsAndNothing) {
+    EXPECT_TRUE(parse_graph_edits("").empty());
+    EXPECT_TRUE(parse_graph_edits(" ;\n# refuse 3 1\n").empty());
+    const auto edits = parse_graph_edits("  slip 7 # as a wheel did; refuse 9 1\n\nslip 8;slip 9;");
+    ASSERT_EQ(edits.size(), 3U);
+    EXPECT_EQ(edits[2], (GraphEdit{GraphEdit::Kind::slip, {8}}));
+}
+
+TEST(GraphEdit, WhatIsNoneIsRefusedWithItsPlace) {
+    for (const char* text :
+         {"open 3 1", "refuse 3", "refuse 3 1 2", "refuse 0 1", "refuse 3.5 1", "refuse -3 1",
+          "refuse 3@ 1", "refuse 3@x 1", "refuse 3@nan 1", "refuse 1e300 1", "close 3 1 0 0",
+          "close 3 1 0 0 inf", "close 3 1 0 0 1e13", "fix 3 1,5 0 0", "slip", "slip @3"}) {
+        EXPECT_THAT(said_of(std::string("slip 9; ") + text), HasSubstr("change 2: found")) << text;
+    }
+    EXPECT_THAT(said_of("refuse 3 3"), HasSubstr("expected an earlier one"));
+    EXPECT_THAT(said_of("close 3 4 0 0 0"), HasSubstr("scan 3 is said to come back to scan 4"));
+    EXPECT_THAT(said_of("fix 1 0 0 0"), HasSubstr("where the map begins"));
+    EXPECT_THAT(said_of("refuse 5 2; slip 3; close 5 2 0 0 0"),
+                HasSubstr("change 3: is of the same scans as change 1"));
+    EXPECT_THAT(said_of("slip 3; slip 3"), HasSubstr("change 1"));
+    std::string many;
+    for (int i = 2; i < 1100; ++i) many += "slip " + std::to_string(i) + ";";
+    EXPECT_THAT(said_of(many), HasSubstr("more than 1000"));
+}
+
+/// Rounds of the ring by an odometry that turns away.
+class EditedRing : public testing::Test {
+  protected:
+    test::Driven driven(const std::string& edits, bool loops = true, double key_m = 0.3) const {
+        RegistrationParams params;
+        params.key_distance_m = key_m;
+        params.edits = edits;
+        params.loops = loops;
+        return test::drive(test::ring_walls(), truth_, 0.01, 1.03, params);
+    }
+    double error_of(test::Driven driven) const {
+        driven.registration.finish();
+        return test::greatest_path_error(driven.registration.path(), truth_);
+    }
+    std::string closing(std::size_t scan, std::size_t earlier) const {
+        return text_of(std::vector<GraphEdit>{
+            {GraphEdit::Kind::close, {scan}, {earlier}, between(truth_[earlier], truth_[scan])}});
+    }
+
+    const std::vector<Pose> truth_ = test::round_tour(test::kRing, 2);
+};
+
+TEST_F(EditedRing, ALoopThatIsRefusedStaysOpen) {
+    const test::Driven plain = driven("");
+    ASSERT_FALSE(plain.registration.loops().empty());
+    const LoopRecord first = plain.registration.loops().front();
+    const std::string edits =
+        text_of(std::vector<GraphEdit>{{GraphEdit::Kind::refuse, {first.scan}, {first.earlier}}});
+    const test::Driven refused = driven(edits);
+    EXPECT_TRUE(refused.registration.figures().edits_unmet.empty());
+    for (const LoopRecord& loop : refused.registration.loops()) {
+        EXPECT_GT(loop.scan, first.scan + 20) << "the same stretch, a little later";
+    }
+    const auto by_hand = std::ranges::find(refused.registration.refused_loops(),
+                                           LoopVerdict::by_hand, &LoopRecord::verdict);
+    ASSERT_NE(by_hand, refused.registration.refused_loops().end());
+    EXPECT_EQ(by_hand->scan, first.scan);
+    EXPECT_EQ(by_hand->earlier, first.earlier);
+    EXPECT_EQ(by_hand->move_m, 0.0);
+    // Up to there nothing is otherwise.
+    for (std::size_t i = 0; i < first.scan; ++i) ASSERT_EQ(refused.online[i], plain.online[i]) << i;
+    EXPECT_NE(refused.online[first.scan], plain.online[first.scan]);
+}
+
+TEST_F(EditedRing, ALoopIsClosedByHand) {
+    const std::size_t scan = truth_.size() - 20;
+    const std::size_t earlier = truth_.size() / 2 - 20;
+    const double open = error_of(driven("", false));
+    test::Driven closed = driven(closing(scan, earlier), false);
+    ASSERT_EQ(closed.registration.loops().size(), 1U);
+    const LoopRecord& loop = closed.registration.loops().front();
+    EXPECT_EQ(loop.scan, scan);
+    EXPECT_EQ(loop.earlier, earlier);
+    EXPECT_TRUE(loop.by_hand);
+    EXPECT_EQ(loop.verdict, LoopVerdict::closed);
+    EXPECT_GT(loop.score, 0.5);
+    EXPECT_GT(loop.move_m, 0.0);
+    EXPECT_EQ(closed.corrections, 1);
+    EXPECT_LT(error_of(std::move(closed)), 0.8 * open);
+}
+
+TEST_F(EditedRing, TheGraphGoesWhereAHandPutsIt) {
+    // Far beyond what the scans say: robust weights would cut it off.
+    const std::size_t scan = truth_.size() - 20;
+    const Pose wrong{1.0, 0.5, 0.2};
+    const test::Driven closed = driven(
+        text_of(std::vector<GraphEdit>{{GraphEdit::Kind::close, {scan}, {40}, wrong}}), false);
+    const std::vector<Pose> path = closed.registration.path();
+    const Pose seen = between(path[40], path[scan]);
+    EXPECT_NEAR(seen.x, wrong.x, 0.15);
+    EXPECT_NEAR(seen.y, wrong.y, 0.15);
+    EXPECT_NEAR(seen.theta, wrong.theta, 0.03);
+    EXPECT_GT(closed.registration.loops().front().move_m, 0.3);
+}
+
+TEST_F(EditedRing, ScansThatAreNamedBecomeKeys) {
+    std::size_t scan = truth_.size() - 20;
+    const test::Driven plain = driven("", false, 1.0);
+    const auto is_key = [](const test::Driven& driven, std::size_t number) {
+        return std::ranges::any_of(driven.registration.keys(),
+                                   [&](const KeyPose& key) { return key.scan == number; });
+    };
+    while (is_key(plain, scan)) ++scan;
+    ASSERT_LT(scan, truth_.size());
+    const test::Driven closed = driven(closing(scan, 41), false, 1.0);
+    EXPECT_TRUE(is_key(closed, scan));
+    EXPECT_TRUE(is_key(closed, 41));
+    EXPECT_EQ(closed.registration.loops().size(), 1U);
+}
+
+TEST_F(EditedRing, AScanIsHeldWhereItIsFixed) {
+    const std::size_t scan = truth_.size() / 2;
+    const Pose at = compose(between(truth_.front(), truth_[scan]), Pose{0.5, 0.0, 0.0});
+    test::Driven fixed =
+        driven(text_of(std::vector<GraphEdit>{{GraphEdit::Kind::fix, {scan}, {}, at}}), false);
+    EXPECT_EQ(fixed.corrections, 1);
+    const auto off = [&] {
+        const Pose now = fixed.registration.path()[scan];
+        return std::hypot(now.x - at.x, now.y - at.y);
+    };
+    EXPECT_LT(off(), 0.05);
+    fixed.registration.finish();
+    EXPECT_LT(off(), 0.1) << "the scans pull, and lose";
+}
+
+TEST_F(EditedRing, AStepThatSlippedSaysNothing) {
+    RegistrationParams params;
+    params.edits = "slip 3";
+    Registration registration(params);
+    const std::vector<Control> ahead{{twist_between(Pose{0.3, 0.0, 0.0}, 1.0), 1.0}};
+    const auto unsure = [&](std::size_t scan) {
+        const Eigen::Matrix3d covariance =
+            registration.add({}, scan > 0 ? ahead : std::vector<Control>()).covariance;
+        return std::pair(covariance(0, 0), covariance(2, 2));
+    };
+    unsure(0);
+    EXPECT_LT(unsure(1).first, 0.01);
+    const auto [along, turn] = unsure(2);
+    EXPECT_NEAR(along, 1.0, 1e-6);
+    EXPECT_NEAR(turn, 1.0, 1e-6);
+    EXPECT_LT(unsure(3).first, 0.01);
+    EXPECT_TRUE(registration.figures().edits_unmet.empty());
+}
+
+TEST_F(EditedRing, IsTheSameTwiceAndFromACopy) {
+    const std::string edits = closing(truth_.size() - 30, 40) + "; slip 60; fix 70 4 0 0";
+    test::Driven first = driven(edits);
+    test::Driven second = driven(edits);
+    Registration copy(first.registration);
+    EXPECT_EQ(first.online, second.online);
+    first.registration.finish();
+    second.registration.finish();
+    copy.finish();
+    EXPECT_EQ(first.registration.path(), second.registration.path());
+    EXPECT_EQ(first.registration.path(), copy.path());
+}
+
+TEST_F(EditedRing, WhatMeetsNothingIsTold) {
+    const test::Driven plain = driven("refuse 90 3; slip 60; slip 99999; fix 99998 0 0 0", false);
+    EXPECT_THAT(plain.registration.figures().edits_unmet, testing::ElementsAre(0, 2, 3));
+}
+
+TEST(GraphEdits, AnotherTourIsToldByItsStamps) {
+    const auto took = [](const std::string& edits) {
+        RegistrationParams params;
+        params.edits = edits;
+        Registration registration(params);
+        const std::vector<Control> ahead{{twist_between(Pose{0.3, 0.0, 0.0}, 1.0), 1.0}};
+        for (int i = 0; i < 5; ++i) {
+            Scan scan = test::drawn_scan(test::ring_walls(), {0.3 * i, 0.0, 0.0});
+            scan.time_s = 100.0 + i;
+            registration.add(scan, i > 0 ? ahead : std::vector<Control>());
+        }
+    };
+    took("slip 3@102; refuse 5@104.0005 2@101");
+    for (const char* edits : {"slip 3@102.1", "refuse 9@200 2@101.5", "slip 2; slip 4@102"}) {
+        try {
+            took(edits);
+            ADD_FAILURE() << edits;
+        } catch (const ConfigError& error) {
+            EXPECT_THAT(error.what(), HasSubstr("is of another tour")) << edits;
+        }
+    }
+}
+
+TEST(GraphEdits, NoneAreNoRegistration) {
+    RegistrationParams params;
+    params.edits = "open 3";
+    EXPECT_THROW(Registration{params}, ConfigError);
+}
+
+}  // namespace
+}  // namespace hitos
