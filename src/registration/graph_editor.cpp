@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "hitos/base/error.hpp"
@@ -11,10 +12,43 @@ namespace {
 
 constexpr double kBeside = 5.0;  // [m] of way, as wide as what is searched for
 
+/// Whether a loop that is found at a key may be the one of that scan: other changes move what is
+/// found by some scans, as many as the last metres had.
+bool is_beside(const KeyGraph& graph, std::size_t key, std::uint64_t scan) {
+    const std::uint64_t now = graph.poses[key].scan;
+    const auto back = std::ranges::upper_bound(graph.scans, graph.scans[key].travelled_m - kBeside,
+                                               {}, &KeyScan::travelled_m);
+    const std::uint64_t beside =
+        now - graph.poses[static_cast<std::size_t>(back - graph.scans.begin())].scan;
+    return (now > scan ? now - scan : scan - now) <= beside;
+}
+
+/// The first scan that a change makes otherwise.
+std::uint64_t first_touched(const KeyGraph& graph, const GraphEdit& edit) {
+    std::uint64_t first = edit.scan.scan;
+    if (edit.kind == GraphEdit::Kind::close) first = std::min(first, edit.earlier.scan);
+    if (edit.kind != GraphEdit::Kind::refuse) return first;
+    for (std::size_t key = 0; key < graph.size() && graph.poses[key].scan < first; ++key) {
+        if (is_beside(graph, key, edit.scan.scan)) return graph.poses[key].scan;
+    }
+    return first;
+}
+
 }  // namespace
 
 GraphEditor::GraphEditor(std::vector<GraphEdit> edits)
     : edits_(std::move(edits)), met_(edits_.size(), false) {}
+
+void GraphEditor::replace(std::vector<GraphEdit> edits) {
+    std::vector<bool> met;
+    for (const GraphEdit& edit : edits) {
+        const auto former = std::ranges::find(edits_, edit);
+        met.push_back(former != edits_.end() &&
+                      met_[static_cast<std::size_t>(former - edits_.begin())]);
+    }
+    edits_ = std::move(edits);
+    met_ = std::move(met);
+}
 
 void GraphEditor::check(std::uint64_t number, const Scan& scan) const {
     constexpr double kSameStamp = 1e-3;  // [s]
@@ -58,16 +92,11 @@ std::vector<GraphEdit> GraphEditor::of_newest(const KeyGraph& graph) {
     return found;
 }
 
-/// Other changes move what is found by some scans.
 bool GraphEditor::names(const GraphEdit& edit, const KeyGraph& graph, const LoopFound& loop) {
-    const std::uint64_t newest = graph.poses.back().scan;
-    const auto back = std::ranges::upper_bound(
-        graph.scans, graph.scans.back().travelled_m - kBeside, {}, &KeyScan::travelled_m);
-    const std::uint64_t beside =
-        newest - graph.poses[static_cast<std::size_t>(back - graph.scans.begin())].scan;
-    const std::uint64_t apart =
-        newest > edit.scan.scan ? newest - edit.scan.scan : edit.scan.scan - newest;
-    if (edit.kind != GraphEdit::Kind::refuse || apart > beside) return false;
+    if (edit.kind != GraphEdit::Kind::refuse ||
+        !is_beside(graph, graph.size() - 1, edit.scan.scan)) {
+        return false;
+    }
     const auto earlier =
         std::ranges::upper_bound(graph.poses, edit.earlier.scan, {}, &KeyPose::scan);
     if (earlier == graph.poses.begin()) return false;
@@ -95,6 +124,20 @@ bool GraphEditor::refuses(const KeyGraph& graph, const LoopFound& loop) {
         return true;
     }
     return false;
+}
+
+std::uint64_t untouched_scans(const KeyGraph& graph, std::span<const GraphEdit> before,
+                              std::span<const GraphEdit> after) {
+    std::uint64_t first = std::numeric_limits<std::uint64_t>::max();
+    const auto note = [&](std::span<const GraphEdit> edits, std::span<const GraphEdit> others) {
+        for (const GraphEdit& edit : edits) {
+            if (std::ranges::find(others, edit) == others.end())
+                first = std::min(first, first_touched(graph, edit));
+        }
+    };
+    note(before, after);
+    note(after, before);
+    return first;
 }
 
 std::vector<std::uint64_t> GraphEditor::unmet() const {

@@ -18,6 +18,8 @@ class GraphEditor {
   public:
     explicit GraphEditor(std::vector<GraphEdit> edits);
 
+    /// What has been met stays met where it is among the new ones.
+    void replace(std::vector<GraphEdit> edits);
     bool empty() const { return edits_.empty(); }
     /// Throws ConfigError where a change names the scan with another stamp.
     void check(std::uint64_t number, const Scan& scan) const;
@@ -45,5 +47,10 @@ class GraphEditor {
     std::vector<bool> met_;
     std::vector<Refused> refused_;
 };
+
+/// How many scans of the graph's tour come before the first that a change makes otherwise which is
+/// in one of the lists alone.
+std::uint64_t untouched_scans(const KeyGraph& graph, std::span<const GraphEdit> before,
+                              std::span<const GraphEdit> after);
 
 }  // namespace hitos

@@ -411,6 +411,13 @@ std::optional<PathCorrection> Registration::correction() const {
 void Registration::finish() {
     impl_->finish();
 }
+void Registration::set_edits(const std::string& edits) {
+    impl_->set_edits(edits);
+}
+std::uint64_t Registration::untouched_scans(std::span<const GraphEdit> before,
+                                            std::span<const GraphEdit> after) const {
+    return hitos::untouched_scans(impl_->graph(), before, after);
+}
 std::vector<Pose> Registration::path() const {
     return impl_->path();
 }

@@ -28,6 +28,10 @@ class Registration::Impl {
 
     RegisteredStep add(const Scan& scan, std::span<const Control> controls);
     void finish();
+    void set_edits(const std::string& edits) {
+        editor_.replace(parse_graph_edits(edits));
+        params_.edits = edits;
+    }
     std::vector<Pose> path() const;
 
     const KeyGraph& graph() const { return graph_; }

@@ -6,9 +6,11 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "hitos/features/control.hpp"
+#include "hitos/registration/graph_edit.hpp"
 #include "hitos/registration/loop_record.hpp"
 #include "hitos/registration/registered_step.hpp"
 #include "hitos/registration/registration_params.hpp"
@@ -54,6 +56,14 @@ class Registration {
     std::optional<PathCorrection> correction() const;
     /// The end of the tour: smooths the whole path. Further scans may follow.
     void finish();
+
+    /// From now on these are the changes by hand. Throws ConfigError where they are none, and is
+    /// then what it was.
+    void set_edits(const std::string& edits);
+    /// The number of scans that are what they are whichever of the two lists of changes counts, of
+    /// a registration that has one of them.
+    std::uint64_t untouched_scans(std::span<const GraphEdit> before,
+                                  std::span<const GraphEdit> after) const;
 
     /// The pose at every scan so far, all corrections applied.
     std::vector<Pose> path() const;

@@ -189,6 +189,17 @@ void Algoritmo::take_correction() {
     step_grid_stale_ = true;
 }
 
+void Algoritmo::set_edits(const std::string& edits) {
+    if (state_.registration) state_.registration->set_edits(edits);
+    configuration_.registration.edits = edits;
+}
+
+std::uint64_t Algoritmo::untouched_scans(const std::string& edits) const {
+    if (!state_.registration) return steps();
+    return state_.registration->untouched_scans(
+        parse_graph_edits(configuration_.registration.edits), parse_graph_edits(edits));
+}
+
 std::vector<Advice> Algoritmo::advice() const {
     std::vector<Advice> advice =
         state_.suitability.advice(configuration_, reader_->format() == kWorldFormat);

@@ -113,6 +113,8 @@ std::optional<RunCheckpoint> Algoritmo::copy() const {
 void Algoritmo::go_to(const RunCheckpoint& checkpoint) {
     remembered_->go_to(checkpoint.place);
     state_ = checkpoint.state;
+    // Of those of before, which are all that touch it.
+    if (state_.registration) state_.registration->set_edits(configuration_.registration.edits);
     step_grid_ = checkpoint.step_grid;
     step_grid_stale_ = registration() != nullptr;
     step_grid_change_ = {};
@@ -194,6 +196,11 @@ std::vector<std::shared_ptr<const RunCheckpoint>> RunCheckpoints::all() const {
     all.reserve(kept_.size());
     for (const auto& [steps, kept] : kept_) all.push_back(kept.checkpoint);
     return all;
+}
+
+void RunCheckpoints::forget_after(std::uint64_t steps) {
+    for (auto kept = kept_.upper_bound(steps); kept != kept_.end(); kept = kept_.erase(kept))
+        bytes_ -= kept->second.bytes;
 }
 
 void RunCheckpoints::clear() {

@@ -123,6 +123,27 @@ void RunWorker::seek(std::uint64_t steps) {
     wake_.notify_one();
 }
 
+void RunWorker::set_edits(const std::string& edits) {
+    static_cast<void>(parse_graph_edits(edits));  // throws
+    const std::scoped_lock lock(mutex_);
+    if (progress_.state == Progress::State::failed) return;
+    // Where it was on its way to, else where it is.
+    if (!seek_wanted_) {
+        seek_wanted_ = progress_.state == Progress::State::finished
+                           ? kToTheEnd
+                           : progress_.steps + std::min(budget_, kToTheEnd - progress_.steps);
+    }
+    edits_wanted_ = edits;
+    budget_ = 0;
+    rules_ = {};
+    paced_ = false;
+    seek_began_ = std::chrono::steady_clock::now();
+    progress_.state = Progress::State::running;
+    progress_.stopped_by = StopReason::none;
+    snapshot_ = nullptr;
+    wake_.notify_one();
+}
+
 void RunWorker::wait() {
     std::unique_lock lock(mutex_);
     idle_.wait(lock, [this] { return idle(); });
@@ -134,8 +155,8 @@ void RunWorker::wait_for(std::chrono::milliseconds time) {
 }
 
 bool RunWorker::idle() const {
-    return !busy_ && budget_ == 0 && !restart_wanted_ && !seek_wanted_ && !snapshot_wanted_ &&
-           tasks_.empty();
+    return !busy_ && budget_ == 0 && !restart_wanted_ && !seek_wanted_ && !edits_wanted_ &&
+           !snapshot_wanted_ && tasks_.empty();
 }
 
 Progress RunWorker::progress() const {
@@ -200,6 +221,7 @@ void RunWorker::fail(Message error, std::exception_ptr failure) {
     if (in_a_step) note_progress();
     budget_ = 0;
     seek_wanted_.reset();
+    edits_wanted_.reset();
     progress_.state = Progress::State::failed;
     progress_.error = std::move(error);
     progress_.failure = std::move(failure);
@@ -210,7 +232,7 @@ void RunWorker::work_until(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         const auto wanted = [this] {
             return (budget_ > 0 && !waits_for_pace()) || restart_wanted_ || seek_wanted_ ||
-                   snapshot_wanted_ || !tasks_.empty();
+                   edits_wanted_ || snapshot_wanted_ || !tasks_.empty();
         };
         if (waits_for_pace()) {
             const auto due = due_;  // read while others may set it
@@ -221,11 +243,15 @@ void RunWorker::work_until(const std::stop_token& stop) {
         if (stop.stop_requested()) break;
         busy_ = true;
         if (std::exchange(restart_wanted_, false)) {
+            const auto edits = std::exchange(edits_wanted_, std::nullopt);
             lock.unlock();
             grid_.begin_anew();
             checkpoints_.clear();
+            if (edits) run_.set_edits(*edits);
             run_.restart();
             lock.lock();
+        } else if (edits_wanted_) {
+            take_edits(lock);
         } else if (seek_wanted_) {
             go_to(*std::exchange(seek_wanted_, std::nullopt), lock);
         } else if (budget_ > 0 && !waits_for_pace()) {
@@ -251,12 +277,7 @@ void RunWorker::go_to(std::uint64_t steps, std::unique_lock<std::mutex>& lock) {
     budget_ = steps - (from ? from->steps() : back ? 0 : run_.steps());
     stepping_ = true;
     lock.unlock();
-    if (from || back) grid_.begin_anew();
-    if (from) {
-        run_.go_to(*from);
-    } else if (back && !run_.rewind()) {
-        checkpoints_.clear();
-    }
+    if (from || back) leave_for(from.get());
     lock.lock();
     stepping_ = false;
     if (restart_wanted_) return;
@@ -267,6 +288,32 @@ void RunWorker::go_to(std::uint64_t steps, std::unique_lock<std::mutex>& lock) {
     note_due();
     if (seek_wanted_) return;  // a newer one
     progress_.state = budget_ > 0 ? Progress::State::running : Progress::State::paused;
+}
+
+void RunWorker::leave_for(const RunCheckpoint* checkpoint) {
+    grid_.begin_anew();
+    if (checkpoint != nullptr) {
+        run_.go_to(*checkpoint);
+    } else if (!run_.rewind()) {
+        checkpoints_.clear();
+    }
+}
+
+void RunWorker::take_edits(std::unique_lock<std::mutex>& lock) {
+    const std::string edits = *std::exchange(edits_wanted_, std::nullopt);
+    stepping_ = true;
+    lock.unlock();
+    const std::uint64_t untouched = run_.untouched_scans(edits);
+    checkpoints_.forget_after(untouched);
+    run_.set_edits(edits);
+    leave_for(checkpoints_.before(untouched).get());
+    lock.lock();
+    stepping_ = false;
+    if (restart_wanted_) return;
+    if (figures_.size() > run_.steps())
+        figures_.erase(figures_.begin() + static_cast<std::ptrdiff_t>(run_.steps()),
+                       figures_.end());
+    note_progress();
 }
 
 void RunWorker::step(std::unique_lock<std::mutex>& lock) {

@@ -202,19 +202,23 @@ void ConfigurationActions::look_at_run(Configuracion configuration) {
 }
 
 void ConfigurationActions::use_edits(const std::string& edits) {
-    if (!guard_.may_discard()) return;
-    const Progress was = session_.progress();
     Configuracion next = session_.configuration();
     next.registration.edits = edits;
-    if (!use(next)) return;
-    session_.seek(was.state == Progress::State::finished ? RunWorker::kToTheEnd : was.steps);
-    emit notice(tr("The graph is changed by hand; the run is done again"));
+    if (use(next)) emit notice(tr("The graph is changed by hand; what follows is done again"));
 }
 
 /// Where the topics of its recording are still to be chosen, the form asks for them.
 bool ConfigurationActions::use(const Configuracion& configuration) {
     try {
-        session_.set_configuration(configuration);
+        const std::string& edits = configuration.registration.edits;
+        Configuracion edited = session_.configuration();
+        // What other changes by hand do not touch of the run stays.
+        if (std::exchange(edited.registration.edits, edits) != edits &&
+            same_configuration(edited, configuration)) {
+            session_.set_edits(edits);
+        } else {
+            session_.set_configuration(configuration);
+        }
         return true;
     } catch (const std::exception& error) {
         if (asks_for_topics(error, configuration.source.read)) {

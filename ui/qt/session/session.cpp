@@ -108,6 +108,22 @@ void Session::open(const Configuracion& configuration, std::shared_ptr<const Sim
     emit configuration_changed();
 }
 
+void Session::set_edits(const std::string& edits) {
+    Configuracion next = configuration_;
+    next.registration.edits = edits;
+    check(next);
+    if (!worker_ || progress().state == Progress::State::failed) {
+        set_configuration(next);
+        return;
+    }
+    emit leaving();
+    configuration_ = next;
+    worker_->set_edits(edits);
+    begin_anew();
+    emit configuration_changed();
+    wake();
+}
+
 void Session::begin_anew() {
     snapshot_ = nullptr;
     requested_ = false;

@@ -36,6 +36,10 @@ class Session final : public QObject {
     /// references belong to the log: with another one they go.
     void set_configuration(const Configuracion& configuration);
 
+    /// Other changes by hand of the graph (RegistrationParams::edits): what they do not touch of
+    /// the run stays, and it goes to where it was. Throws hitos::Error where they are none.
+    void set_edits(const std::string& edits);
+
     /// The same on a tour that is being driven through the world of the configuration's source. The
     /// run has what was driven so far and goes on by follow(); changes of the configuration begin
     /// anew on the same tour, until its source is another one.

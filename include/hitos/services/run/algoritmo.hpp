@@ -72,6 +72,11 @@ class Algoritmo {
     /// a checkpoint before that scan, from its beginning where that is null, and the run then is
     /// what it was. Null where it cannot go back, or has not taken a scan.
     std::unique_ptr<const AssociationRecord> weighed(const RunCheckpoint* before);
+    /// Other changes by hand of the graph, from now on: the run goes on with them. Throws
+    /// ConfigError where they are none.
+    void set_edits(const std::string& edits);
+    /// How many scans are the same with them.
+    std::uint64_t untouched_scans(const std::string& edits) const;
     /// To the beginning, reading what is remembered again; where nothing is it is a restart(), and
     /// false: what checkpoints there are belong to another reading.
     bool rewind();

@@ -53,6 +53,8 @@ class RunCheckpoints {
     std::shared_ptr<const RunCheckpoint> before(std::uint64_t steps) const;
     /// By scans taken.
     std::vector<std::shared_ptr<const RunCheckpoint>> all() const;
+    /// Those after more scans.
+    void forget_after(std::uint64_t steps);
     void clear();
 
     /// Scans from one to the next.

@@ -126,6 +126,10 @@ class RunWorker {
     /// there: the state of a run forwards, to the last bit. Back it goes from the nearest
     /// checkpoint, or from the beginning where the options ask for none.
     void seek(std::uint64_t steps);
+    /// Other changes by hand of the graph (RegistrationParams::edits): the run goes back to before
+    /// the first scan that they touch, and on to where it was. What was published before is
+    /// forgotten. Throws ConfigError where they are none.
+    void set_edits(const std::string& edits);
     /// Blocks until nothing is left to do (end, failure, pause, steps done).
     void wait();
     /// The same, but no longer than `time`.
@@ -169,6 +173,10 @@ class RunWorker {
     void step(std::unique_lock<std::mutex>& lock);
     /// To the nearest state before those steps, from where they are still to do.
     void go_to(std::uint64_t steps, std::unique_lock<std::mutex>& lock);
+    /// Takes the wanted changes by hand, and goes to a state that they do not touch.
+    void take_edits(std::unique_lock<std::mutex>& lock);
+    /// To a checkpoint, or to the beginning.
+    void leave_for(const RunCheckpoint* checkpoint);
     void publish_snapshot(std::unique_lock<std::mutex>& lock);
     void note_progress();
     const StepFigures& noted_figures();
@@ -192,6 +200,7 @@ class RunWorker {
     std::optional<PositionError> error_;  // up to the last of figures_
     bool restart_wanted_ = false;
     std::optional<std::uint64_t> seek_wanted_;
+    std::optional<std::string> edits_wanted_;
     std::chrono::steady_clock::time_point seek_began_;
     std::optional<SnapshotParts> snapshot_wanted_;
     bool busy_ = false;

@@ -3,9 +3,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "hitos/base/error.hpp"
 #include "hitos/base/validate.hpp"
 #include "hitos/services/run/run_checkpoint.hpp"
 #include "hitos/services/run/run_worker.hpp"
+#include "hitos/slam/filters.hpp"
 #include "ready_tour.hpp"
 
 namespace hitos {
@@ -130,6 +132,63 @@ INSTANTIATE_TEST_SUITE_P(Algorithms, GoingBack,
                              std::erase(word, '-');
                              return word;
                          });
+
+/// The whole run with those changes by hand, on this thread.
+std::unique_ptr<Algoritmo> run_with(Configuracion configuration, const std::string& edits) {
+    configuration.registration.edits = edits;
+    auto run = std::make_unique<Algoritmo>(configuration, open_source(configuration.source));
+    while (run->step()) {
+    }
+    return run;
+}
+
+TEST(RunWorker, ChangesByHandGiveWhatTheyGiveFromTheBeginning) {
+    for (const char* algorithm : {"fastslam", "ekf-slam", "graph-slam"}) {
+        Configuracion configuration =
+            ArchivoConfiguracion::read(kRepository / "config/recorded.cfg");
+        configuration.source.file = kRepository / "data/bigloop-noisy.log.gz";
+        configuration.filter.particles = 5;
+        configuration.filter.algorithm = algorithm;
+        if (!needs_registration(configuration.filter)) continue;
+        const auto plain = run_with(configuration, "");
+        ASSERT_FALSE(plain->registration()->loops().empty()) << algorithm;
+        const LoopRecord loop = plain->registration()->loops().front();
+        const std::string refused =
+            text_of(std::vector<GraphEdit>{{GraphEdit::Kind::refuse, {loop.scan}, {loop.earlier}}});
+
+        AlgoritmoOptions options;
+        options.go_back = true;
+        RunWorker worker(configuration, open_source(configuration.source), options);
+        worker.run();
+        worker.wait();
+        worker.set_edits(refused);
+        worker.wait();
+        EXPECT_EQ(worker.progress().state, State::finished);
+        expect_same_state(worker, *run_with(configuration, refused));
+        EXPECT_EQ(worker.figures_since(0).size(), plain->steps());
+        // Others later, while the run is on its way; and all of them taken back.
+        worker.set_edits(refused + "; slip 700");
+        worker.set_edits("slip 700; fix 800 1 2 0");
+        worker.wait();
+        expect_same_state(worker, *run_with(configuration, "slip 700; fix 800 1 2 0"));
+        worker.seek(300);
+        worker.wait();
+        worker.set_edits("");
+        worker.wait();
+        EXPECT_EQ(worker.progress().steps, 300U);
+        worker.run();
+        worker.wait();
+        expect_same_state(worker, *plain);
+        EXPECT_THROW(worker.set_edits("open 3"), ConfigError);
+        expect_same_state(worker, *plain);
+        // What was wanted counts for a run that begins anew too.
+        worker.set_edits(refused);
+        worker.restart();
+        worker.run();
+        worker.wait();
+        expect_same_state(worker, *run_with(configuration, refused));
+    }
+}
 
 TEST(RunWorker, TheLastOrderCounts) {
     const Configuracion configuration = small_tour();
