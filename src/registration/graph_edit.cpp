@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
@@ -16,6 +17,7 @@ namespace {
 /// In the order of GraphEdit::Kind.
 constexpr std::array<std::string_view, 4> kWords{"refuse", "close", "fix", "slip"};
 constexpr double kMostScans = 1e15;
+constexpr double kFarthest = 1e6;         // [m]; no tour is longer
 constexpr std::size_t kMostEdits = 1000;  // each is compared with every other
 
 ConfigError wrong(std::size_t number, const Message& why) {
@@ -63,7 +65,8 @@ GraphEdit edit_of(std::string_view text, std::size_t number) {
     if (edit.has_pose()) {
         for (double* value : {&edit.pose.x, &edit.pose.y, &edit.pose.theta}) {
             const auto read = input::parse_number(words[next++]);
-            if (!read || !(std::abs(*read) <= input::kGreatestNumber)) throw refuse();
+            const double greatest = value == &edit.pose.theta ? 2.0 * kPi : kFarthest;
+            if (!read || !(std::abs(*read) <= greatest)) throw refuse();
             *value = *read;
         }
     }
@@ -83,6 +86,11 @@ bool contradict(const GraphEdit& a, const GraphEdit& b) {
     return a.kind == b.kind && a.scan.scan == b.scan.scan;
 }
 
+/// The first scan that a change makes otherwise.
+std::uint64_t first_touched(const GraphEdit& edit) {
+    return edit.kind == GraphEdit::Kind::close ? edit.earlier.scan : edit.scan.scan;
+}
+
 }  // namespace
 
 std::string_view word_of(GraphEdit::Kind kind) {
@@ -98,7 +106,9 @@ std::optional<GraphEdit::Kind> edit_kind_of(std::string_view word) {
 std::vector<GraphEdit> parse_graph_edits(std::string_view text) {
     std::vector<GraphEdit> edits;
     while (const auto line = input::next_line(text)) {
-        std::string_view rest = line->substr(0, line->find('#'));
+        const std::size_t sign = std::min(line->find('#'), line->size());
+        std::string_view rest = line->substr(0, sign);
+        const std::size_t before = edits.size();
         while (!rest.empty()) {
             const std::size_t end = std::min(rest.find(';'), rest.size());
             const std::string_view change = input::trimmed(rest.substr(0, end));
@@ -110,6 +120,8 @@ std::vector<GraphEdit> parse_graph_edits(std::string_view text) {
             }
             edits.push_back(edit_of(change, edits.size() + 1));
         }
+        if (edits.size() > before && sign < line->size())
+            edits.back().comment = on_one_line(input::trimmed(line->substr(sign + 1)));
     }
     check_graph_edits(edits);
     return edits;
@@ -118,12 +130,13 @@ std::vector<GraphEdit> parse_graph_edits(std::string_view text) {
 std::string text_of(std::span<const GraphEdit> edits) {
     std::string text;
     for (const GraphEdit& edit : edits) {
-        if (!text.empty()) text += "; ";
+        if (!text.empty() && text.back() != '\n') text += "; ";
         text += fmt::format("{} {}", word_of(edit.kind), text_of(edit.scan));
         if (edit.of_two()) text += " " + text_of(edit.earlier);
         if (edit.has_pose()) {
             text += fmt::format(" {} {} {}", edit.pose.x, edit.pose.y, edit.pose.theta);
         }
+        if (!edit.comment.empty()) text += " # " + edit.comment + "\n";
     }
     return text;
 }
@@ -150,6 +163,19 @@ void check_graph_edits(std::span<const GraphEdit> edits) {
         throw wrong(i + 1, message(HITOS_TEXT("Errors", "is of the same scans as change %1"),
                                    other - before.begin() + 1));
     }
+}
+
+std::uint64_t untouched_scans(std::span<const GraphEdit> before, std::span<const GraphEdit> after) {
+    std::uint64_t first = std::numeric_limits<std::uint64_t>::max();
+    const auto note = [&](std::span<const GraphEdit> edits, std::span<const GraphEdit> others) {
+        for (const GraphEdit& edit : edits) {
+            if (std::ranges::find(others, edit) == others.end())
+                first = std::min(first, first_touched(edit));
+        }
+    };
+    note(before, after);
+    note(after, before);
+    return first;
 }
 
 }  // namespace hitos

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "hitos/base/error.hpp"
@@ -12,26 +11,10 @@ namespace {
 
 constexpr double kBeside = 5.0;  // [m] of way, as wide as what is searched for
 
-/// Whether a loop that is found at a key may be the one of that scan: other changes move what is
-/// found by some scans, as many as the last metres had.
-bool is_beside(const KeyGraph& graph, std::size_t key, std::uint64_t scan) {
-    const std::uint64_t now = graph.poses[key].scan;
-    const auto back = std::ranges::upper_bound(graph.scans, graph.scans[key].travelled_m - kBeside,
-                                               {}, &KeyScan::travelled_m);
-    const std::uint64_t beside =
-        now - graph.poses[static_cast<std::size_t>(back - graph.scans.begin())].scan;
-    return (now > scan ? now - scan : scan - now) <= beside;
-}
-
-/// The first scan that a change makes otherwise.
-std::uint64_t first_touched(const KeyGraph& graph, const GraphEdit& edit) {
-    std::uint64_t first = edit.scan.scan;
-    if (edit.kind == GraphEdit::Kind::close) first = std::min(first, edit.earlier.scan);
-    if (edit.kind != GraphEdit::Kind::refuse) return first;
-    for (std::size_t key = 0; key < graph.size() && graph.poses[key].scan < first; ++key) {
-        if (is_beside(graph, key, edit.scan.scan)) return graph.poses[key].scan;
-    }
-    return first;
+/// The key at a scan, else the last one before it; the graph has one.
+std::size_t key_at(const KeyGraph& graph, std::uint64_t scan) {
+    const auto after = std::ranges::upper_bound(graph.poses, scan, {}, &KeyPose::scan);
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, after - graph.poses.begin())) - 1;
 }
 
 }  // namespace
@@ -66,6 +49,18 @@ void GraphEditor::check(std::uint64_t number, const Scan& scan) const {
     }
 }
 
+void GraphEditor::check_end(std::uint64_t scans) const {
+    for (std::size_t i = 0; i < edits_.size(); ++i) {
+        if (edits_[i].scan.scan < scans) continue;
+        throw ConfigError(
+            kGraphEditsKey,
+            HITOS_TEXT("Errors",
+                       "change %1 is of another tour: it names scan %2, and there are "
+                       "%3"),
+            i + 1, edits_[i].scan.scan + 1, scans);
+    }
+}
+
 bool GraphEditor::needs_key(std::uint64_t scan) const {
     return std::ranges::any_of(edits_, [&](const GraphEdit& edit) {
         return edit.has_pose() &&
@@ -92,16 +87,12 @@ std::vector<GraphEdit> GraphEditor::of_newest(const KeyGraph& graph) {
     return found;
 }
 
+/// Other changes move by some scans where a loop is found.
 bool GraphEditor::names(const GraphEdit& edit, const KeyGraph& graph, const LoopFound& loop) {
-    if (edit.kind != GraphEdit::Kind::refuse ||
-        !is_beside(graph, graph.size() - 1, edit.scan.scan)) {
-        return false;
-    }
-    const auto earlier =
-        std::ranges::upper_bound(graph.poses, edit.earlier.scan, {}, &KeyPose::scan);
-    if (earlier == graph.poses.begin()) return false;
-    const auto key = static_cast<std::size_t>(earlier - graph.poses.begin()) - 1;
-    return std::abs(graph.scans[loop.key].travelled_m - graph.scans[key].travelled_m) <= kBeside;
+    if (edit.kind != GraphEdit::Kind::refuse || loop.record.scan < edit.scan.scan) return false;
+    const auto way_m = [&](std::size_t key) { return graph.scans[key].travelled_m; };
+    return way_m(graph.size() - 1) - way_m(key_at(graph, edit.scan.scan)) <= kBeside &&
+           std::abs(way_m(loop.key) - way_m(key_at(graph, edit.earlier.scan))) <= kBeside;
 }
 
 bool GraphEditor::refuses(const KeyGraph& graph, const LoopFound& loop) {
@@ -124,20 +115,6 @@ bool GraphEditor::refuses(const KeyGraph& graph, const LoopFound& loop) {
         return true;
     }
     return false;
-}
-
-std::uint64_t untouched_scans(const KeyGraph& graph, std::span<const GraphEdit> before,
-                              std::span<const GraphEdit> after) {
-    std::uint64_t first = std::numeric_limits<std::uint64_t>::max();
-    const auto note = [&](std::span<const GraphEdit> edits, std::span<const GraphEdit> others) {
-        for (const GraphEdit& edit : edits) {
-            if (std::ranges::find(others, edit) == others.end())
-                first = std::min(first, first_touched(graph, edit));
-        }
-    };
-    note(before, after);
-    note(after, before);
-    return first;
 }
 
 std::vector<std::uint64_t> GraphEditor::unmet() const {

@@ -23,6 +23,8 @@ class GraphEditor {
     bool empty() const { return edits_.empty(); }
     /// Throws ConfigError where a change names the scan with another stamp.
     void check(std::uint64_t number, const Scan& scan) const;
+    /// Throws ConfigError where a change names a scan that a tour of so many has not.
+    void check_end(std::uint64_t scans) const;
     /// Whether a change needs the scan as a key.
     bool needs_key(std::uint64_t scan) const;
     /// Whether the step to the scan has slipped.
@@ -47,10 +49,5 @@ class GraphEditor {
     std::vector<bool> met_;
     std::vector<Refused> refused_;
 };
-
-/// How many scans of the graph's tour come before the first that a change makes otherwise which is
-/// in one of the lists alone.
-std::uint64_t untouched_scans(const KeyGraph& graph, std::span<const GraphEdit> before,
-                              std::span<const GraphEdit> after);
 
 }  // namespace hitos

@@ -121,16 +121,16 @@ std::optional<LoopCloser::Place> LoopCloser::far_off(const KeyGraph& graph,
     return best;
 }
 
-void LoopCloser::gather_query(const KeyGraph& graph) {
+/// The points of the last metres up to a key.
+void LoopCloser::gather_query(const KeyGraph& graph, std::size_t newest) {
     constexpr std::size_t kMostKeys = 16;
     constexpr double kFar = 20.0;   // [m]
     constexpr double kThin = 0.35;  // [m], side of the cells that keep one point each
-    const std::size_t newest = graph.size() - 1;
     const Pose& now = graph.poses[newest].pose;
     query_.clear();
     query_keys_ = 0;
     std::unordered_set<std::int64_t> taken;  // asked only whether it holds a cell
-    for (std::size_t n = 0; n < std::min(kMostKeys, graph.size()); ++n) {
+    for (std::size_t n = 0; n < std::min(kMostKeys, newest + 1); ++n) {
         const std::size_t j = newest - n;
         if (graph.scans[newest].travelled_m - graph.scans[j].travelled_m >= kStretch) break;
         ++query_keys_;
@@ -180,12 +180,11 @@ bool LoopCloser::agreed(const Pose& now, const Pose& then, double travelled_m, b
 /// Places that look alike in what there is differ in what there is not: one passage looks through
 /// where the other saw a wall. True loops have up to 0.24 of it (doors, people), false ones 0.4;
 /// outdoors true ones may have more, and are found a few metres on.
-double LoopCloser::seen_through(const KeyGraph& graph, const LoopFound& loop,
+double LoopCloser::seen_through(const KeyGraph& graph, std::size_t newest, const LoopFound& loop,
                                 const PointMap& map) const {
     constexpr std::size_t kEveryOldKey = 3;
     constexpr std::size_t kEveryNewKey = 2;
     constexpr std::size_t kEveryPoint = 8;
-    const std::size_t newest = graph.size() - 1;
     std::vector<FreeView> views;
     for (std::size_t i = 0; i < loop.sources.size(); i += kEveryOldKey) {
         const std::uint32_t j = loop.sources[i];
@@ -228,26 +227,51 @@ std::vector<std::uint32_t> LoopCloser::stretch_about(const KeyGraph& graph, std:
     return keys;
 }
 
-void LoopCloser::measure(const KeyGraph& graph, std::uint32_t key, LoopRecord& record) {
-    gather_query(graph);
-    LoopFound loop;
-    loop.key = key;
-    loop.pose = compose(graph.poses[key].pose, record.pose_earlier_scan);
-    loop.sources = stretch_about(graph, key);
-    PointMap map;
-    build_map(graph, loop.sources, graph.poses[key].pose, kStretchHalf, map);
+void LoopCloser::measure(const KeyGraph& graph, std::size_t newest, const LoopFound& loop,
+                         const PointMap& map, LoopRecord& record) const {
     const Linearization l = matcher_.linearize(query_, map, loop.pose, kFineStage);
+    const auto points = static_cast<double>(std::max<std::size_t>(1, query_.size()));
     record.score = match_score(query_, map, loop.pose, 1);
-    record.overlap = static_cast<double>(l.matches) /
-                     static_cast<double>(std::max<std::size_t>(1, query_.size()));
-    record.seen_through = seen_through(graph, loop, map);
+    record.overlap = static_cast<double>(l.matches) / points;
+    record.seen_through = seen_through(graph, newest, loop, map);
+}
+
+void LoopCloser::measure(const KeyGraph& graph, std::uint32_t key, std::uint32_t earlier,
+                         LoopRecord& record) {
+    gather_query(graph, key);
+    LoopFound loop{compose(graph.poses[earlier].pose, record.pose_earlier_scan),
+                   earlier,
+                   stretch_about(graph, earlier),
+                   {}};
+    PointMap map;
+    build_map(graph, loop.sources, graph.poses[earlier].pose, kStretchHalf, map);
+    measure(graph, key, loop, map, record);
+}
+
+void LoopCloser::fit(const KeyGraph& graph, std::uint32_t key, std::uint32_t earlier,
+                     LoopRecord& record) {
+    constexpr SearchWindow kNear{1.0, 0.2};  // as near as an eye lays them
+    constexpr double kLeast = 0.2;
+    gather_query(graph, key);
+    const Pose& from = graph.poses[earlier].pose;
+    LoopFound loop{
+        compose(from, record.pose_earlier_scan), earlier, stretch_about(graph, earlier), {}};
+    PointMap map;
+    build_map(graph, loop.sources, from, kStretchHalf, map);
+    const CorrelationMap picture(map, 25.0 + 0.5 * kNear.position_m, 4);
+    if (const auto found = correlate(query_, picture, loop.pose, kNear, kLeast))
+        loop.pose = found->pose;
+    const PosePrior hardly_any{loop.pose, 1e-3 * Eigen::Matrix3d::Identity()};
+    loop.pose = matcher_.fit(query_, map, loop.pose, hardly_any, 25);
+    record.pose_earlier_scan = between(from, loop.pose);
+    measure(graph, key, loop, map, record);
 }
 
 std::optional<LoopFound> LoopCloser::look(const KeyGraph& graph, const std::optional<Place>& at,
                                           std::vector<LoopRecord>& refused) {
     constexpr std::size_t kFewestPoints = 40;
     if (!at) return std::nullopt;
-    if (query_.empty()) gather_query(graph);
+    if (query_.empty()) gather_query(graph, graph.size() - 1);
     if (query_.size() < kFewestPoints) return std::nullopt;
     ++searches_;
     const Place& place = *at;
@@ -278,7 +302,7 @@ std::optional<LoopFound> LoopCloser::look(const KeyGraph& graph, const std::opti
     } else if (spread.eigenvalues()(0) <= kLeastLoopSpread * std::max(1, l.matches)) {
         record.verdict = LoopVerdict::bare;
     } else {
-        record.seen_through = seen_through(graph, loop, map);
+        record.seen_through = seen_through(graph, graph.size() - 1, loop, map);
         if (record.seen_through <= kMostSeenThrough) return loop;
         record.verdict = LoopVerdict::seen_through;
     }

@@ -4,6 +4,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "correlation.hpp"
@@ -32,16 +33,20 @@ struct LoopFound {
 /// and what is found is followed: the next search begins where it says that the robot is.
 class LoopCloser {
   public:
-    LoopCloser(const RegistrationParams& params, const ScanMatcher& matcher)
-        : params_(params), matcher_(matcher) {}
+    LoopCloser(RegistrationParams params, const ScanMatcher& matcher)
+        : params_(std::move(params)), matcher_(matcher) {}
 
     /// The newest key's passage; `reached` is that of the newest key. What is refused on the way is
     /// added to `refused`.
     std::optional<LoopFound> search(const KeyGraph& graph, std::span<const GraphReach> reached,
                                     std::vector<LoopRecord>& refused);
-    /// What one that somebody closes at the newest key would be worth: score, overlap, share seen
-    /// through.
-    void measure(const KeyGraph& graph, std::uint32_t key, LoopRecord& record);
+    /// What a loop from a key to an earlier one is worth as its record has the pose: score,
+    /// overlap, share seen through.
+    void measure(const KeyGraph& graph, std::uint32_t key, std::uint32_t earlier,
+                 LoopRecord& record);
+    /// Lays the passage of a key on that of an earlier one, from the record's pose on, and measures
+    /// it.
+    void fit(const KeyGraph& graph, std::uint32_t key, std::uint32_t earlier, LoopRecord& record);
     /// The graph has moved: what was found before is of another frame.
     void forget() { found_.clear(); }
 
@@ -69,8 +74,11 @@ class LoopCloser {
     std::optional<LoopFound> look(const KeyGraph& graph, const std::optional<Place>& at,
                                   std::vector<LoopRecord>& refused);
     static std::vector<std::uint32_t> stretch_about(const KeyGraph& graph, std::uint32_t key);
-    void gather_query(const KeyGraph& graph);
-    double seen_through(const KeyGraph& graph, const LoopFound& loop, const PointMap& map) const;
+    void gather_query(const KeyGraph& graph, std::size_t newest);
+    double seen_through(const KeyGraph& graph, std::size_t newest, const LoopFound& loop,
+                        const PointMap& map) const;
+    void measure(const KeyGraph& graph, std::size_t newest, const LoopFound& loop,
+                 const PointMap& map, LoopRecord& record) const;
     bool agreed(const Pose& now, const Pose& then, double travelled_m, bool far);
 
     RegistrationParams params_;

@@ -38,7 +38,7 @@ void PoseGraphSolver::sum(const std::vector<KeyPose>& keys, bool robust, std::si
         // The odometry's too: a log that has reversing as driving ahead (freiburg-079) would be
         // bent by it, 0.18 m instead of 0.08, and of the six other recorded tours none gains more
         // than 5 cm.
-        if (robust && edge.kind != EdgeKind::by_hand) weight *= robust_weight(d2);
+        if (robust) weight *= edge_weight(edge, d2);
         equations_.add(edge.from, error.by_from, edge.to, error.by_to, weight * edge.information,
                        error.value);
     }

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "hitos/base/error.hpp"
 #include "hitos/registration/odometry_step.hpp"
 #include "hitos/registration/pose_algebra.hpp"
 #include "hitos/registration/pose_graph_solver.hpp"
@@ -22,7 +23,6 @@ namespace {
 constexpr double kMapHalf = 45.0;      // [m], of the local map
 constexpr double kOldKeysWay = 6.0;    // [m] along the graph, of old keys in the local map
 constexpr std::size_t kLoopEvery = 2;  // keys
-constexpr double kSlip = 1.0;          // [m], [rad]: of a step that somebody calls a slip
 constexpr double kKeySlip = 0.01;      // [m] added to a key's standard deviation
 constexpr double kKeySlipRad = 0.002;  // [rad]
 
@@ -48,9 +48,11 @@ RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control
     out.turned_rad = way.turned_rad;
     const bool first = graph_.size() == 0;
     const bool wanted = editor_.needs_key(out.scan);
-    if (first || way.moved() || wanted) {  // else there is nothing to match, and no key due
+    const bool slipped = editor_.slipped(out.scan);
+    const bool moved = way.moved() || slipped;
+    if (first || moved || wanted) {  // else there is nothing to match, and no key due
         find_surface_points(scan, params_.range_m, points_);
-        if (!first && way.moved()) step(way, out);
+        if (!first && moved) step(way, slipped, out);
         out.key = first || wanted || key_due();
     }
     out.pose = now_;
@@ -59,12 +61,12 @@ RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control
     placed_.push_back({newest, between(graph_.poses[newest].pose, now_)});
     if (out.key) {
         const std::vector<KeyPose> before = graph_.poses;
-        bool moved = !editor_.empty() && edit_graph();
+        bool corrected = !editor_.empty() && edit_graph();
         if (params_.loops && newest > static_cast<std::uint32_t>(params_.key_scans) &&
             newest % kLoopEvery == 0) {
-            moved = close_loop() || moved;
+            corrected = close_loop() || corrected;
         }
-        if (moved) correct(before);
+        if (corrected) correct(before);
     }
     out.keys = graph_.poses;
     out.edges = graph_.edges;
@@ -92,16 +94,14 @@ std::optional<Registration::Impl::Guess> Registration::Impl::stood(const Pose& r
     return fits ? std::optional(std::move(guess)) : std::nullopt;
 }
 
-void Registration::Impl::step(const DrivenWay& way, RegisteredStep& out) {
+void Registration::Impl::step(const DrivenWay& way, bool slipped, RegisteredStep& out) {
     const Pose before = now_;
     const Pose raw = way.pose_start_end;
     refresh_map(before);
     const Pose driven = params_.calibrate ? calibration_.corrected(raw) : raw;
-    const bool slipped = editor_.slipped(out.scan);
-    Guess guess =
-        placed_by(driven, slipped ? Eigen::Vector3d(kSlip * kSlip, kSlip * kSlip, kSlip * kSlip)
-                                  : odometry_variances(driven, params_.odometry_scale));
-    if (breaks_path(points_, guess.matched, graph_)) {
+    Guess guess = placed_by(
+        driven, slipped ? slip_variances() : odometry_variances(driven, params_.odometry_scale));
+    if (!slipped && breaks_path(points_, guess.matched, graph_)) {
         if (std::optional<Guess> other = stood(raw)) {
             guess = *std::move(other);
         } else {
@@ -157,6 +157,7 @@ bool Registration::Impl::key_due() const {
 }
 
 void Registration::Impl::add_key(std::uint64_t scan) {
+    if (graph_.size() > 0) refresh_map(now_);  // of one that stood, the graph may have moved since
     KeyScan key;
     key.hold(points_);
     key.travelled_m = travelled_m_;
@@ -211,47 +212,52 @@ bool Registration::Impl::close_loop() {
 
 /// What somebody says of the newest key. Whether the graph has moved.
 bool Registration::Impl::edit_graph() {
-    const std::vector<GraphEdit> edits = editor_.of_newest(graph_);
-    for (const GraphEdit& edit : edits) {
-        if (edit.kind == GraphEdit::Kind::close) {
-            close_by_hand(edit);
-        } else {
-            hold_by_hand(0, between(graph_.poses.front().pose, edit.pose));
-        }
-    }
-    if (!edits.empty()) closer_.forget();
-    return !edits.empty();
-}
-
-/// An edge as sure as somebody's eye is, and the graph as it bends to it.
-void Registration::Impl::hold_by_hand(std::uint32_t from, const Pose& pose_from_newest) {
-    const Eigen::Vector3d sigmas(0.05, 0.05, 0.01);  // [m, m, rad]
+    // As sure as an eye lays passages on each other, and as one is of a place that is known.
+    const Eigen::Vector3d by_eye(0.05, 0.05, 0.01);  // [m, m, rad]
+    const Eigen::Vector3d known(0.01, 0.01, 0.002);
     const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
-    graph_.edges.push_back({from, newest, pose_from_newest,
-                            sigmas.cwiseAbs2().cwiseInverse().asDiagonal().toDenseMatrix(),
-                            EdgeKind::by_hand});
-    PoseGraphSolver solver(graph_.size(), graph_.edges);
-    solver.solve(graph_.poses, {6, false});
-    solver.solve(graph_.poses, {6, true});
-}
-
-void Registration::Impl::close_by_hand(const GraphEdit& edit) {
-    const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
-    const auto key = std::ranges::lower_bound(graph_.poses, edit.earlier.scan, {}, &KeyPose::scan);
-    const auto earlier = static_cast<std::uint32_t>(key - graph_.poses.begin());
     const std::vector<KeyPose> before = graph_.poses;
-    LoopRecord record;
-    record.scan = edit.scan.scan;
-    record.earlier = edit.earlier.scan;
-    record.pose_earlier_scan = edit.pose;
-    record.way_m = graph_.scans[newest].travelled_m - graph_.scans[earlier].travelled_m;
-    record.by_hand = true;
-    closer_.measure(graph_, earlier, record);
-    hold_by_hand(earlier, edit.pose);
-    graph_.join(earlier, newest);
-    record.move_m = greatest_move(before, graph_.poses);
-    figures_.largest_correction_m = std::max(figures_.largest_correction_m, record.move_m);
-    loops_.push_back(record);
+    const std::size_t first_edge = graph_.edges.size();
+    const std::size_t first_loop = loops_.size();
+    const auto hold = [&](std::uint32_t from, const Pose& z, const Eigen::Vector3d& sigmas) {
+        const Eigen::Vector3d information = sigmas.cwiseAbs2().cwiseInverse();
+        graph_.edges.push_back(
+            {from, newest, z, information.asDiagonal().toDenseMatrix(), EdgeKind::by_hand});
+    };
+    for (const GraphEdit& edit : editor_.of_newest(graph_)) {
+        if (edit.kind == GraphEdit::Kind::fix) {
+            hold(0, between(graph_.poses.front().pose, edit.pose), known);
+            continue;
+        }
+        const auto earlier = static_cast<std::uint32_t>(
+            std::ranges::lower_bound(graph_.poses, edit.earlier.scan, {}, &KeyPose::scan) -
+            graph_.poses.begin());
+        LoopRecord record;
+        record.scan = edit.scan.scan;
+        record.earlier = edit.earlier.scan;
+        record.pose_earlier_scan = edit.pose;
+        record.way_m = graph_.scans[newest].travelled_m - graph_.scans[earlier].travelled_m;
+        record.by_hand = true;
+        closer_.measure(graph_, newest, earlier, record);
+        loops_.push_back(record);
+        hold(earlier, edit.pose, by_eye);
+        graph_.join(earlier, newest);
+    }
+    if (graph_.edges.size() == first_edge) return false;
+    PoseGraphSolver solver(graph_.size(), graph_.edges);
+    solver.solve(graph_.poses, {6, false}, first_edge);
+    const double tension_before = tension(std::span(graph_.edges).first(first_edge));
+    solver.solve(graph_.poses, {6, false});
+    const double bent = tension(graph_.edges) - tension_before;
+    solver.solve(graph_.poses, {6, true});
+    const double move_m = greatest_move(before, graph_.poses);
+    for (LoopRecord& loop : std::span(loops_).subspan(first_loop)) {
+        loop.chi_square = bent;
+        loop.move_m = move_m;
+    }
+    figures_.largest_correction_m = std::max(figures_.largest_correction_m, move_m);
+    closer_.forget();
+    return true;
 }
 
 /// Puts its edges into the graph and solves it. Of what is not closed no edge stays.
@@ -317,6 +323,7 @@ void Registration::Impl::correct(const std::vector<KeyPose>& keys_before) {
 
 void Registration::Impl::finish() {
     corrections_.clear();
+    editor_.check_end(placed_.size());
     if (graph_.size() < 2) return;
     const std::vector<KeyPose> before = graph_.poses;
     solve(graph_.poses, graph_.edges, {10, true});
@@ -356,15 +363,36 @@ void Registration::Impl::weigh_loops() {
     };
     std::map<std::uint64_t, Weights> by_scan;
     for (const PoseEdge& edge : graph_.edges) {
-        if (edge.kind != EdgeKind::loop) continue;
+        if (edge.kind != EdgeKind::loop && edge.kind != EdgeKind::by_hand) continue;
         Weights& weights = by_scan[graph_.poses[edge.to].scan];
-        weights.sum += robust_weight(squared_distance(edge));
+        weights.sum += edge_weight(edge, squared_distance(edge));
         ++weights.edges;
     }
     for (LoopRecord& loop : loops_) {
         const Weights& weights = by_scan[loop.scan];
         loop.weight = weights.sum / std::max(1, weights.edges);
     }
+}
+
+LoopRecord Registration::Impl::fitted_loop(std::uint64_t scan, std::uint64_t earlier,
+                                           const Pose& start) const {
+    const auto key_of = [&](std::uint64_t number) {
+        const auto key = std::ranges::find(graph_.poses, number, &KeyPose::scan);
+        if (key == graph_.poses.end()) {
+            throw Error(message(HITOS_TEXT("Errors", "scan %1 is no key scan"), number + 1));
+        }
+        return static_cast<std::uint32_t>(key - graph_.poses.begin());
+    };
+    LoopRecord record;
+    record.scan = scan;
+    record.earlier = earlier;
+    record.pose_earlier_scan = start;
+    LoopCloser closer = closer_;
+    const std::uint32_t later_key = key_of(scan);
+    const std::uint32_t earlier_key = key_of(earlier);
+    record.way_m = graph_.scans[later_key].travelled_m - graph_.scans[earlier_key].travelled_m;
+    closer.fit(graph_, later_key, earlier_key, record);
+    return record;
 }
 
 std::vector<Pose> Registration::Impl::path() const {
@@ -414,9 +442,9 @@ void Registration::finish() {
 void Registration::set_edits(const std::string& edits) {
     impl_->set_edits(edits);
 }
-std::uint64_t Registration::untouched_scans(std::span<const GraphEdit> before,
-                                            std::span<const GraphEdit> after) const {
-    return hitos::untouched_scans(impl_->graph(), before, after);
+LoopRecord Registration::fitted_loop(std::uint64_t scan, std::uint64_t earlier,
+                                     const Pose& start) const {
+    return impl_->fitted_loop(scan, earlier, start);
 }
 std::vector<Pose> Registration::path() const {
     return impl_->path();

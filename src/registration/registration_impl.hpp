@@ -32,6 +32,7 @@ class Registration::Impl {
         editor_.replace(parse_graph_edits(edits));
         params_.edits = edits;
     }
+    LoopRecord fitted_loop(std::uint64_t scan, std::uint64_t earlier, const Pose& start) const;
     std::vector<Pose> path() const;
 
     const KeyGraph& graph() const { return graph_; }
@@ -58,7 +59,7 @@ class Registration::Impl {
         MatchedStep matched;
     };
 
-    void step(const DrivenWay& way, RegisteredStep& out);
+    void step(const DrivenWay& way, bool slipped, RegisteredStep& out);
     Guess placed_by(const Pose& step, const Eigen::Vector3d& variances) const;
     std::optional<Guess> stood(const Pose& raw) const;
     void learn(const DrivenWay& way, const Guess& guess, const Pose& before);
@@ -68,8 +69,6 @@ class Registration::Impl {
     bool close_loop();
     LoopVerdict close(const LoopFound& found, LoopRecord& record);
     bool edit_graph();
-    void close_by_hand(const GraphEdit& edit);
-    void hold_by_hand(std::uint32_t from, const Pose& pose_from_newest);
     void weigh_loops();
     double tension(std::span<const PoseEdge> edges) const;
     double squared_distance(const PoseEdge& edge) const;

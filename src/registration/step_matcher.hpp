@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 
 #include "hitos/registration/registration_params.hpp"
 #include "scan_matcher.hpp"
@@ -20,8 +21,8 @@ struct MatchedStep {
 /// from where the scan correlates best with the map.
 class StepMatcher {
   public:
-    StepMatcher(const RegistrationParams& params, const ScanMatcher& matcher)
-        : params_(params), matcher_(matcher) {}
+    StepMatcher(RegistrationParams params, const ScanMatcher& matcher)
+        : params_(std::move(params)), matcher_(matcher) {}
 
     /// `sigmas` are the odometry's: position [m], heading [rad].
     MatchedStep match(std::span<const SurfacePoint> scan, const PointMap& map,

@@ -2,10 +2,13 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
+#include <QSpinBox>
 #include <algorithm>
 
 #include "gui_fixture.hpp"
+#include "inspect/loop_model.hpp"
 #include "inspect/loop_table.hpp"
 #include "inspect/loop_view.hpp"
 #include "tests.hpp"
@@ -15,17 +18,28 @@ namespace {
 
 class Loops : public Fixture {
   public:
-    Loops() {
+    explicit Loops(bool search = true) {
         Configuracion configuration =
             ArchivoConfiguracion::read(Fixture::source_file("config/recorded.cfg").toStdString());
         configuration.source.file = Fixture::source_file("data/bigloop.log.gz").toStdString();
         configuration.filter.particles = 3;
+        configuration.registration.loops = search;
         session.set_configuration(configuration);
     }
 
     LoopTable& dock() const { return *window->findChild<LoopTable*>(); }
     const LoopModel& model() const { return *dock().findChild<LoopModel*>(); }
     QPushButton& button(const char* name) const { return *dock().findChild<QPushButton*>(name); }
+    void press(const char* name) const { QTest::mouseClick(&button(name), Qt::LeftButton); }
+    QSpinBox& number(const char* name) const { return *dock().findChild<QSpinBox*>(name); }
+    /// To its end with the dock open.
+    void run_with_dock() {
+        run_to_end();
+        trigger("action_loops_dock");
+        QTRY_VERIFY(shows_everything() && !session.snapshot()->key_scans.empty());
+    }
+    bool at_rest() const { return state() == Progress::State::finished && shows_everything(); }
+    std::string edits() const { return session.configuration().registration.edits; }
     QString reason() const { return dock().findChild<QLabel*>("loop_reason")->text(); }
     void list(int which) const {
         dock().findChild<QComboBox*>("loops_listed")->setCurrentIndex(which);
@@ -152,8 +166,10 @@ void InspectTest::a_loop_is_refused_taken_back_and_closed_by_hand() {
     // Undo takes the change up again.
     f.trigger("action_undo");
     QCOMPARE(f.session.configuration().registration.edits, edits);
+    QTRY_VERIFY_WITH_TIMEOUT(at_rest(), 60000);
     f.trigger("action_redo");
-    f.run_to_end();
+    QTRY_VERIFY_WITH_TIMEOUT(at_rest() && f.session.configuration().registration.edits.empty(),
+                             60000);
     f.list(2);
     f.choose(f.model().loops().front());
     QCOMPARE(f.button("loop_change").text(), "Close");
@@ -162,6 +178,97 @@ void InspectTest::a_loop_is_refused_taken_back_and_closed_by_hand() {
     QVERIFY(f.session.configuration().registration.edits.starts_with("close "));
     QVERIFY(std::ranges::any_of(f.session.snapshot()->loops,
                                 [](const RunLoop& one) { return one.record.by_hand; }));
+}
+
+void InspectTest::a_loop_is_laid_by_hand_and_fitted() {
+    Loops f;
+    f.run_with_dock();
+    f.choose(f.closed());
+    LoopView& view = f.dock().view();
+    const Pose found = view.pose();
+    // By a point of the later passage, which leads away from it.
+    view.zoom(4.0);
+    const QPoint middle = view.rect().center();
+    const auto near = std::ranges::min_element(view.later_points(), {}, [&](const QPointF& point) {
+        return QLineF(QPointF(pixel_in(view, point)), QPointF(middle)).length();
+    });
+    const QPoint grip = pixel_in(view, *near);
+    QVERIFY(view.rect().contains(grip));
+    const auto drag = [&](Qt::KeyboardModifiers keys, const QPoint& from, const QPoint& by) {
+        QTest::mousePress(&view, Qt::LeftButton, keys, from);
+        QTest::mouseMove(&view, from + by / 2);
+        QTest::mouseMove(&view, from + by);
+        QTest::mouseRelease(&view, Qt::LeftButton, keys, from + by);
+    };
+    const double pixels = view.camera().pixels_per_m;
+    drag({}, grip, QPoint(static_cast<int>(0.4 * pixels), 0));
+    QVERIFY(view.laid_by_hand());
+    QVERIFY2(std::abs(view.pose().x - found.x - 0.4) < 0.05,
+             qPrintable(QString::number(view.pose().x - found.x)));
+    QCOMPARE(f.button("loop_change").text(), "Close");
+    // With keys, back and a degree about.
+    view.setFocus();
+    for (int i = 0; i < 4; ++i) QTest::keyClick(&view, Qt::Key_Left);
+    QTest::keyClick(&view, Qt::Key_Up);
+    QTest::keyClick(&view, Qt::Key_Left, Qt::ShiftModifier);
+    QVERIFY(std::abs(view.pose().theta - found.theta - kRadiansPerDegree) < 1e-9);
+    f.press("loop_fit");
+    QTRY_VERIFY(f.reason().startsWith("Fitted: score 0."));
+    QVERIFY(std::hypot(view.pose().x - found.x, view.pose().y - found.y) < 0.05);
+    QVERIFY(std::abs(wrap_angle(view.pose().theta - found.theta)) < 0.02);
+    f.press("loop_change");
+    QTRY_VERIFY_WITH_TIMEOUT(f.at_rest(), 60000);
+    QVERIFY(f.edits().starts_with("close "));
+    QCOMPARE(f.button("loop_change").text(), "Take back");
+}
+
+void InspectTest::a_loop_that_nobody_found_is_proposed() {
+    Loops f(false);
+    f.run_with_dock();
+    QVERIFY(f.session.snapshot()->loops.empty());
+    // The second lap over the first, by numbers.
+    f.number("loop_earlier").setValue(60);
+    f.number("loop_scan").setValue(551);
+    QVERIFY(f.button("loop_change").isEnabled());
+    QVERIFY(f.reason().startsWith("As the path has both passages"));
+    QVERIFY(f.dock().view().later_points().size() > 500);
+    f.press("loop_fit");
+    QTRY_VERIFY(f.reason().startsWith("Fitted: score 0."));
+    f.press("loop_change");
+    QTRY_VERIFY_WITH_TIMEOUT(f.at_rest() && !f.session.snapshot()->loops.empty(), 60000);
+    const RunLoop loop = f.session.snapshot()->loops.front();
+    QVERIFY(loop.record.by_hand && loop.record.score > 0.5);
+    QVERIFY(f.reason().startsWith("Closed: somebody has put it in"));
+    // And by two clicks in the map.
+    f.button("loop_pick").setChecked(true);
+    GridView& map = f.window->grid_view();
+    for (const std::uint64_t scan : {700U, 250U}) {
+        const Pose pose = f.session.snapshot()->best_trajectory[scan].pose;
+        QTest::mouseClick(&map, Qt::LeftButton, {}, pixel_in(map, {pose.x, pose.y}));
+    }
+    QVERIFY(!f.button("loop_pick").isChecked());
+    QVERIFY(std::abs(f.number("loop_scan").value() - f.number("loop_earlier").value()) > 20);
+    QVERIFY(f.button("loop_change").isEnabled());
+}
+
+void InspectTest::a_step_that_slipped_is_listed_and_taken_back() {
+    Loops f;
+    f.run_steps(120);
+    f.trigger("action_loops_dock");
+    QTRY_VERIFY(f.shows_everything() && f.button("edit_slip").isEnabled());
+    QCOMPARE(f.button("edit_slip").text(), "The step to 120 slipped");
+    f.press("edit_slip");
+    QTRY_VERIFY(f.state() == Progress::State::paused && f.shows_everything());
+    QCOMPARE(f.steps(), 120);
+    QVERIFY2(f.edits().starts_with("slip 120@"), f.edits().c_str());
+    QVERIFY(!f.button("edit_slip").isEnabled());
+    auto* list = f.dock().findChild<QListWidget*>("graph_edits");
+    QVERIFY(list->isVisible());
+    QCOMPARE(list->item(0)->text(), "The step to scan 120 slipped");
+    list->setCurrentRow(0);
+    f.press("edit_take_back");
+    QTRY_VERIFY(f.edits().empty() && f.shows_everything());
+    QVERIFY(!list->isVisible());
 }
 
 void InspectTest::without_registration_there_are_no_loops() {

@@ -318,6 +318,9 @@ class InspectTest : public QObject {
     void loops_are_listed_with_the_reason();
     void a_loop_is_chosen_in_the_map();
     void a_loop_is_refused_taken_back_and_closed_by_hand();
+    void a_loop_is_laid_by_hand_and_fitted();
+    void a_loop_that_nobody_found_is_proposed();
+    void a_step_that_slipped_is_listed_and_taken_back();
     void without_registration_there_are_no_loops();
     void the_joint_covariance_is_a_picture();
     void the_poses_uncertainty_is_drawn();

@@ -121,6 +121,20 @@ TEST_F(LoopsTest, ALoopThatWasNotFoundIsClosed) {
     EXPECT_EQ(loops[0]["scan"], found["scan"]);
     EXPECT_GT(loops[0]["score"], 0.5);
     EXPECT_THAT(content("closed/loops.csv"), HasSubstr("somebody has put it in"));
+    EXPECT_GT(loops[0]["weight"], 0.99);
+    EXPECT_EQ(loops[0]["reason"], "somebody has put it in");
+    // As a folder that is read again has it.
+    const test::Outcome evaluated =
+        test::shell(cli_ + " evaluate " + path("closed") + " --reference-trajectory " +
+                    path("truth.tum") + " --out " + path("measured"));
+    ASSERT_EQ(evaluated.status, 0) << evaluated.output;
+    EXPECT_THAT(content("measured/loops.csv"), HasSubstr("somebody has put it in"));
+    // Where nothing is registered it changes nothing, and that is told.
+    const test::Outcome without = run("without",
+                                      "--set motion.model=odometry --set "
+                                      "'registration.edits=slip 30'");
+    EXPECT_THAT(without.output, HasSubstr("with these parameters there is none"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "without/edits.toml"));
 }
 
 TEST_F(LoopsTest, ChangesThatDoNotFitAreRefusedWithTheReason) {
@@ -137,12 +151,15 @@ TEST_F(LoopsTest, ChangesThatDoNotFitAreRefusedWithTheReason) {
                 HasSubstr("sets filter.particles too"));
     EXPECT_THAT(said("--edits " + file("bad.toml", "[registration]\nedits = \"open 3\"\n")),
                 HasSubstr("bad.toml:2: registration.edits: change 1"));
-    EXPECT_THAT(said("--edits " + path("none.toml")), HasSubstr("none.toml"));
+    EXPECT_THAT(said("--edits " + path("nowhere.toml")), HasSubstr("nowhere.toml"));
     EXPECT_THAT(said("--edits " + file("slip.toml", "[registration]\nedits = \"slip 3\"\n") +
                      " --set motion.model=odometry"),
                 HasSubstr("with these parameters there is none"));
+    EXPECT_THAT(said("--set 'registration.edits=slip 99999'"), HasSubstr("it names scan 99999"));
+    EXPECT_THAT(said("--edits " + file("none.toml", "[registration]\nedits = \"# none\"\n")),
+                HasSubstr("has no change by hand"));
     // What meets nothing changes nothing, and is told.
-    const test::Outcome told = run("unmet", "--set 'registration.edits=slip 99999'");
+    const test::Outcome told = run("unmet", "--set 'registration.edits=refuse 200 3'");
     EXPECT_EQ(told.status, 0);
     EXPECT_THAT(told.output, HasSubstr("Changes by hand have met nothing to change (1"));
 }

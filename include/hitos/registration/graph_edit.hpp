@@ -31,8 +31,9 @@ struct GraphEdit {
     };
     Kind kind = Kind::refuse;
     EditedScan scan;
-    EditedScan earlier = {};  ///< of refuse and close
-    Pose pose = {};           ///< of close and fix [m, m, rad]
+    EditedScan earlier = {};   ///< of refuse and close
+    Pose pose = {};            ///< of close and fix [m, m, rad]
+    std::string comment = {};  ///< why, or empty; on one line
 
     bool of_two() const { return kind == Kind::refuse || kind == Kind::close; }
     bool has_pose() const { return kind == Kind::close || kind == Kind::fix; }
@@ -46,11 +47,15 @@ std::optional<GraphEdit::Kind> edit_kind_of(std::string_view word);
 
 /// Of "refuse 812@65.25 40; close 900 37 0.1 -0.2 1.57; fix 30 1 2 0; slip 55": changes with
 /// semicolons or line ends between, each of a word, its scans, counted from 1, with their stamps
-/// [s] where they are known, and its pose; # begins a comment. Throws ConfigError of kGraphEditsKey
-/// that says which one is wrong.
+/// [s] where they are known, and its pose; # begins a comment, which the change before it on its
+/// line keeps. Throws ConfigError of kGraphEditsKey that says which one is wrong.
 std::vector<GraphEdit> parse_graph_edits(std::string_view text);
 /// Reads back as the same, to the last bit.
 std::string text_of(std::span<const GraphEdit> edits);
+
+/// How many scans come before the first that a change makes otherwise which is in one of the lists
+/// alone.
+std::uint64_t untouched_scans(std::span<const GraphEdit> before, std::span<const GraphEdit> after);
 
 /// Throws ConfigError where a change is none, or two contradict each other.
 void check_graph_edits(std::span<const GraphEdit> edits);

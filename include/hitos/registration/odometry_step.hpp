@@ -12,6 +12,11 @@ namespace hitos {
 /// turn; a turn moves what is not on the axle by 5 cm a radian. `scale` multiplies all of them.
 Eigen::Vector3d odometry_variances(const Pose& step, double scale);
 
+/// Of a step that somebody calls a slip: a metre and a radian.
+inline Eigen::Vector3d slip_variances() {
+    return Eigen::Vector3d::Ones();
+}
+
 /// The information of a step with these variances in axes that are turned by `heading`.
 Eigen::Matrix3d step_information(const Eigen::Vector3d& variances, double heading_rad);
 

@@ -22,6 +22,14 @@ inline double robust_loss(double mahalanobis_squared) {
     return 9.0 * std::log1p(mahalanobis_squared / 9.0);
 }
 
+/// The same of an edge: what somebody says keeps its weight.
+inline double edge_weight(const PoseEdge& edge, double mahalanobis_squared) {
+    return edge.kind == EdgeKind::by_hand ? 1.0 : robust_weight(mahalanobis_squared);
+}
+inline double edge_loss(const PoseEdge& edge, double mahalanobis_squared) {
+    return edge.kind == EdgeKind::by_hand ? mahalanobis_squared : robust_loss(mahalanobis_squared);
+}
+
 /// How a graph is solved.
 struct GraphSolution {
     int iterations = 10;  ///< with a factorisation of their own

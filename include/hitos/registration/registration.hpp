@@ -54,16 +54,18 @@ class Registration {
     /// What the last add() or finish() corrected, if anything. For a scan that closes a loop: after
     /// the step of that scan.
     std::optional<PathCorrection> correction() const;
-    /// The end of the tour: smooths the whole path. Further scans may follow.
+    /// The end of the tour: smooths the whole path. Further scans may follow. Throws ConfigError
+    /// where a change by hand names a scan that has not come.
     void finish();
 
     /// From now on these are the changes by hand. Throws ConfigError where they are none, and is
     /// then what it was.
     void set_edits(const std::string& edits);
-    /// The number of scans that are what they are whichever of the two lists of changes counts, of
-    /// a registration that has one of them.
-    std::uint64_t untouched_scans(std::span<const GraphEdit> before,
-                                  std::span<const GraphEdit> after) const;
+
+    /// A loop from one key scan to an earlier one as their passages lie best on each other, from
+    /// `start` on, the pose of the former seen from the latter; nothing is closed. Throws Error
+    /// where one is no key scan.
+    LoopRecord fitted_loop(std::uint64_t scan, std::uint64_t earlier, const Pose& start) const;
 
     /// The pose at every scan so far, all corrections applied.
     std::vector<Pose> path() const;

@@ -198,6 +198,12 @@ std::string toml_string(const ConfigParameter& parameter, std::string_view text)
             HITOS_TEXT("Errors", "%1 is not UTF-8 and cannot stand in a configuration file"),
             input::in_quotes(text));
     }
+    // Lines as lines, where that is the same text.
+    const auto plain = [](unsigned char c) {
+        return c == '\n' || (c >= 0x20 && c != 0x7f && c != '"' && c != '\\');
+    };
+    if (text.find('\n') != std::string_view::npos && std::ranges::all_of(text, plain))
+        return fmt::format("\"\"\"\n{}\"\"\"", text);
     std::string out = "\"";
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
@@ -302,6 +308,12 @@ std::string ArchivoConfiguracion::read_edits(const std::filesystem::path& path) 
                                      "%2 alone: a whole configuration is read by --config"),
                           parameter.key, kGraphEditsKey);
     }
+    if (parse_graph_edits(edits).empty()) {
+        throw FormatError(
+            path.string(), 0,
+            HITOS_TEXT("Errors", "has no change by hand; expected %1 with at least one"),
+            kGraphEditsKey);
+    }
     return edits;
 }
 
@@ -311,7 +323,7 @@ std::string ArchivoConfiguracion::edits_text(const std::string& title, std::stri
     const std::string key = kGraphEditsKey;
     out += fmt::format("[{}]\n{} = \"\"\"\n", key.substr(0, key.find('.')), name_of(key));
     for (const GraphEdit& edit : parse_graph_edits(edits))
-        out += text_of(std::span(&edit, 1)) + '\n';
+        out += text_of(std::span(&edit, 1)) + (edit.comment.empty() ? "\n" : "");
     return out + "\"\"\"\n";
 }
 

@@ -186,12 +186,15 @@ void warn_of_registration(const Registration& registration, const Trajectory& od
                         "the odometry and the laser do not belong together."),
              fmt::format("{:.2f}", figures.mean_score));
     }
-    if (figures.largest_correction_m > kLargeCorrection) {
+    double moved_m = 0.0;  // by what was found, not by somebody's hand
+    for (const LoopRecord& loop : registration.loops())
+        if (!loop.by_hand) moved_m = std::max(moved_m, loop.move_m);
+    if (moved_m > kLargeCorrection) {
         warn(warnings,
              HITOS_TEXT("Advice",
                         "A loop moved the path by %1 at once: until then the poses told while "
                         "driving were that far off. Look whether walls meet where it closed."),
-             fmt::format("{:.1f} m", figures.largest_correction_m));
+             fmt::format("{:.1f} m", moved_m));
     }
     const DrivenBy driven = driven_by(registration, odometry);
     warn_of_scale(driven, warnings);

@@ -25,16 +25,27 @@ std::vector<RunLoop> run_loops(std::span<const LoopRecord> closed,
     return loops;
 }
 
-void judge_loops(std::vector<RunLoop>& loops, Trajectory reference, double tolerance_s) {
-    std::ranges::stable_sort(reference, {}, &StampedPose::time_s);
+void judge_loops(std::vector<RunLoop>& loops, const Trajectory& reference, double tolerance_s) {
+    if (!std::ranges::is_sorted(reference, {}, &StampedPose::time_s)) {
+        Trajectory sorted = reference;
+        std::ranges::stable_sort(sorted, {}, &StampedPose::time_s);
+        judge_loops(loops, sorted, tolerance_s);
+        return;
+    }
+    const bool turns = std::ranges::any_of(reference, [&](const StampedPose& one) {
+        return one.pose.theta != reference.front().pose.theta;
+    });
     for (RunLoop& loop : loops) {
         loop.error_m.reset();
+        loop.error_rad.reset();
+        if (!turns) continue;
         const auto earlier = pose_at(reference, loop.earlier.time_s, tolerance_s);
         const auto later = pose_at(reference, loop.scan.time_s, tolerance_s);
         if (!earlier || !later) continue;
         const Pose there = between(*earlier, *later);
         const Pose& said = loop.record.pose_earlier_scan;
         loop.error_m = std::hypot(there.x - said.x, there.y - said.y);
+        loop.error_rad = std::abs(wrap_angle(there.theta - said.theta));
     }
 }
 
@@ -43,7 +54,7 @@ LoopPrecision precision_of(std::span<const RunLoop> loops) {
     for (const RunLoop& loop : loops) {
         if (!loop.closed() || !loop.error_m) continue;
         ++precision.judged;
-        if (*loop.error_m > kFalseLoop) ++precision.wrong;
+        if (loop.is_false()) ++precision.wrong;
         precision.worst_m = std::max(precision.worst_m, *loop.error_m);
     }
     return precision;
@@ -60,7 +71,7 @@ std::string loops_csv(std::span<const RunLoop> loops) {
                                  "way_m",        "score",          "overlap",
                                  "seen_through", "chi_square",     "chi_square_limit",
                                  "move_m",       "weight",         "error_m",
-                                 "reason"});
+                                 "error_rad",    "reason"});
     for (const RunLoop& loop : loops) {
         const LoopRecord& record = loop.record;
         const Pose& seen = record.pose_earlier_scan;
@@ -85,6 +96,7 @@ std::string loops_csv(std::span<const RunLoop> loops) {
                           loop.closed() ? number(record.move_m) : std::string(),
                           number(record.weight),
                           number(loop.error_m),
+                          number(loop.error_rad),
                           reason_of(record).english()});
     }
     return text;

@@ -38,7 +38,10 @@ ordered_json json_of(const RunLoop& loop) {
         if (const auto& value = record.*figure.value) json[figure.word] = *value;
     }
     if (loop.closed()) json["move_m"] = record.move_m;
+    if (record.by_hand) json["by_hand"] = true;
     if (loop.error_m) json["error_m"] = *loop.error_m;
+    if (loop.error_rad) json["error_rad"] = *loop.error_rad;
+    json["reason"] = reason_of(record).english();
     return json;
 }
 
@@ -53,6 +56,7 @@ LoopRecord record_in(const nlohmann::json& json, const Trajectory& path, const s
     record.score = json.at("score").get<double>();
     record.overlap = json.at("overlap").get<double>();
     record.move_m = json.value("move_m", 0.0);
+    record.by_hand = json.value("by_hand", false);
     for (const Figure& figure : kFigures) {
         if (json.contains(figure.word)) record.*figure.value = json.at(figure.word).get<double>();
     }

@@ -10,6 +10,7 @@
 
 #include "hitos/features/control.hpp"
 #include "hitos/features/extractor.hpp"
+#include "hitos/registration/graph_edit.hpp"
 #include "hitos/registration/odometry_step.hpp"
 #include "hitos/slam/robot.hpp"
 
@@ -36,10 +37,16 @@ GraphStep step_by_model(const Robot& robot, std::size_t to, const Pose& before,
 }
 
 /// What the wheels say, as sure as registration takes them to be.
-GraphStep step_by_wheels(double scale, std::size_t to, std::span<const Control> controls) {
+GraphStep step_by_wheels(const RegistrationParams& params, std::span<const GraphEdit> edits,
+                         std::size_t to, std::span<const Control> controls) {
     const Pose z = driven_way(controls).pose_start_end;
+    const bool slipped = std::ranges::any_of(edits, [&](const GraphEdit& edit) {
+        return edit.kind == GraphEdit::Kind::slip && edit.scan.scan == to;
+    });
+    const Eigen::Vector3d variances =
+        slipped ? slip_variances() : odometry_variances(z, params.odometry_scale);
     // Along and across the mean heading; then in the axes of the end.
-    return {to - 1, to, z, step_information(odometry_variances(z, scale), -0.5 * z.theta)};
+    return {to - 1, to, z, step_information(variances, -0.5 * z.theta)};
 }
 
 /// What may be the same as a landmark.
@@ -210,15 +217,15 @@ LandmarkGraphFile graph_of(const Algoritmo& run) {
     std::vector<Control> controls;
     Observation observation;
     Sightings sightings(graph.map);
+    const std::vector<GraphEdit> edits = parse_graph_edits(configuration.registration.edits);
     for (std::size_t i = 0; i < graph.poses.size(); ++i) {
         const std::optional<Scan> scan = reader->next_scan();
         if (!scan) break;
         track.controls_until(*scan, controls);
         if (i > 0) {
             graph.steps.push_back(
-                robot != nullptr
-                    ? step_by_model(*robot, i, graph.poses[i - 1], controls)
-                    : step_by_wheels(configuration.registration.odometry_scale, i, controls));
+                robot != nullptr ? step_by_model(*robot, i, graph.poses[i - 1], controls)
+                                 : step_by_wheels(configuration.registration, edits, i, controls));
         }
         extractor->go_to(i);
         extractor->extract(*scan, observation);

@@ -259,8 +259,12 @@ std::vector<RunOutput> make_outputs() {
         where([](const Run& r) { return !r.summary.distances.empty(); },
               one_text("distances.csv",
                        [](const Run& r) { return distances_csv(r.summary.distances); })),
-        where([](const Run& r) { return !r.run.configuration().registration.edits.empty(); },
-              one_text("edits.toml", edits_text)),
+        where(
+            [](const Run& r) {
+                return r.run.registration() != nullptr &&
+                       !r.run.configuration().registration.edits.empty();
+            },
+            one_text("edits.toml", edits_text)),
         where(
             [](const Run& r) { return r.run.registration() != nullptr; },
             one_text("loops.csv", [](const Run& r) { return loops_csv(r.summary.quality.loops); })),

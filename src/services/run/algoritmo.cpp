@@ -196,8 +196,8 @@ void Algoritmo::set_edits(const std::string& edits) {
 
 std::uint64_t Algoritmo::untouched_scans(const std::string& edits) const {
     if (!state_.registration) return steps();
-    return state_.registration->untouched_scans(
-        parse_graph_edits(configuration_.registration.edits), parse_graph_edits(edits));
+    return hitos::untouched_scans(parse_graph_edits(configuration_.registration.edits),
+                                  parse_graph_edits(edits));
 }
 
 std::vector<Advice> Algoritmo::advice() const {
@@ -205,6 +205,12 @@ std::vector<Advice> Algoritmo::advice() const {
         state_.suitability.advice(configuration_, reader_->format() == kWorldFormat);
     if (state_.registration) {  // the preset to try is in use
         for (Advice& reason : advice) reason.preset = {};
+    }
+    if (!state_.registration && !configuration_.registration.edits.empty()) {
+        advice.push_back({HITOS_TEXT("Advice",
+                                     "Changes by hand (%1) are of the graph of key scans; with "
+                                     "these parameters there is none, and they change nothing."),
+                          kGraphEditsKey, "recorded"});
     }
     const bool of_robot =
         log_formats().knows(reader_->format()) && log_formats().find(reader_->format()).of_robots;

@@ -32,8 +32,8 @@ void GraphSolver::add(const PoseEdge& edge, const LandmarkGraph& graph) {
     const EdgeError error =
         edge_error(edge, graph.keys()[edge.from].pose, graph.keys()[edge.to].pose);
     const double d2 = error.value.dot(edge.information * error.value);
-    objective_ += robust_loss(d2);
-    const Matrix3 weight = robust_weight(d2) * edge.information;
+    objective_ += edge_loss(edge, d2);
+    const Matrix3 weight = edge_weight(edge, d2) * edge.information;
     if (edge.from == 0) {
         equations_.add(variable_of_key(edge.to), error.by_to, weight, error.value);
     } else if (edge.to == 0) {

@@ -65,8 +65,8 @@ void GraphWindow::add(const PoseEdge& edge, const LandmarkGraph& graph) {
     const EdgeError error =
         edge_error(edge, graph.keys()[edge.from].pose, graph.keys()[edge.to].pose);
     const double d2 = error.value.dot(edge.information * error.value);
-    objective_ += robust_loss(d2);
-    const Matrix3 weight = robust_weight(d2) * edge.information;
+    objective_ += edge_loss(edge, d2);
+    const Matrix3 weight = edge_weight(edge, d2) * edge.information;
     const Eigen::Index from = of_key(edge.from);
     const Eigen::Index to = of_key(edge.to);
     const Matrix3 from_w = error.by_from.transpose() * weight;

@@ -50,8 +50,9 @@ void Inspection::connect_views(ScanView& scan, GridView& grid) {
     connect(associations_, &AssociationInspector::feature_chosen, &scan, &ScanView::set_feature);
     connect(loops_, &LoopTable::loop_shown, &grid, &GridView::set_loop);
     connect(&grid, &GridView::loop_clicked, loops_, [this](const auto& loop) {
-        if (loops_->isVisible()) loops_->choose(loop);
+        if (loops_->isVisible() && !loops_->takes_places()) loops_->choose(loop);
     });
+    connect(&grid, &GridView::place_clicked, loops_, &LoopTable::take_place);
 }
 
 void Inspection::set_highlight(const PickedLandmark& picked) {

@@ -3,16 +3,22 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <array>
+#include <chrono>
+#include <cmath>
+#include <iterator>
 #include <utility>
 
+#include "edit_list.hpp"
 #include "hitos/slam/filters.hpp"
 #include "look/flow_layout.hpp"
 #include "look/parameter_text.hpp"
 #include "look/words_of.hpp"
+#include "loop_model.hpp"
 #include "loop_view.hpp"
 
 namespace hitos::window {
@@ -25,96 +31,57 @@ bool same(const RunLoop& a, const RunLoop& b) {
     return a.record.scan == b.record.scan && a.record.earlier == b.record.earlier;
 }
 
-/// The change of this very loop among those by hand.
+/// Two searches of one scan may find the same place; a change gives the loop other figures.
+auto found_in(const std::vector<RunLoop>& loops, const RunLoop& loop) {
+    const auto exact = std::ranges::find_if(loops, [&](const RunLoop& one) {
+        return same(one, loop) && one.record.score == loop.record.score;
+    });
+    return exact != loops.end()
+               ? exact
+               : std::ranges::find_if(loops, [&](const RunLoop& one) { return same(one, loop); });
+}
+
+/// The change of this very loop among those by hand; of one that was refused with others the
+/// refusal that it follows on.
 auto change_of(const std::vector<GraphEdit>& edits, const RunLoop& loop) {
-    return std::ranges::find_if(edits, [&](const GraphEdit& edit) {
+    const auto own = std::ranges::find_if(edits, [&](const GraphEdit& edit) {
         return edit.of_two() && edit.scan.scan == loop.record.scan &&
                edit.earlier.scan == loop.record.earlier;
     });
+    if (own != edits.end() || loop.record.verdict != LoopVerdict::by_hand) return own;
+    auto last = edits.end();
+    for (auto edit = edits.begin(); edit != edits.end(); ++edit) {
+        const bool before =
+            edit->kind == GraphEdit::Kind::refuse && edit->scan.scan <= loop.record.scan;
+        if (before && (last == edits.end() || edit->scan.scan > last->scan.scan)) last = edit;
+    }
+    return last;
 }
 
-QString verdict_words(LoopVerdict verdict) {
-    constexpr std::array kWords{QT_TRANSLATE_NOOP("LoopVerdict", "Closed"),
-                                QT_TRANSLATE_NOOP("LoopVerdict", "Fits badly"),
-                                QT_TRANSLATE_NOOP("LoopVerdict", "Corridor"),
-                                QT_TRANSLATE_NOOP("LoopVerdict", "Looked through"),
-                                QT_TRANSLATE_NOOP("LoopVerdict", "Said once"),
-                                QT_TRANSLATE_NOOP("LoopVerdict", "No edge"),
-                                QT_TRANSLATE_NOOP("LoopVerdict", "Bends the graph"),
-                                QT_TRANSLATE_NOOP("LoopVerdict", "Refused by hand")};
-    return translated("LoopVerdict", kWords.at(static_cast<std::size_t>(verdict)));
+QString measured_words(const LoopRecord& record) {
+    return LoopTable::tr("score %1, overlap %2, looked through %3")
+        .arg(record.score, 0, 'f', 2)
+        .arg(record.overlap, 0, 'f', 2)
+        .arg(record.seen_through.value_or(0.0), 0, 'f', 2);
+}
+
+/// Of the scan made nearest to a place, of those that count.
+template <class Counts>
+std::optional<std::uint64_t> nearest_key(const Snapshot& snapshot, const QPointF& place,
+                                         Counts counts) {
+    std::optional<std::uint64_t> nearest;
+    double reach = 2.0;  // [m]
+    for (const KeyPose& key : snapshot.keys) {
+        const Pose& pose = snapshot.best_trajectory.at(key.scan).pose;
+        const double away = std::hypot(pose.x - place.x(), pose.y - place.y());
+        if (away >= reach || !counts(key.scan)) continue;
+        reach = away;
+        nearest = key.scan;
+    }
+    return nearest;
 }
 
 }  // namespace
-
-LoopModel::LoopModel(QObject* parent)
-    : FiguresModel(
-          {tr("Scan"), tr("Earlier"), tr("Verdict"), tr("Score"), tr("Overlap"),
-           tr("Looked through"), "χ²", tr("Way between"), tr("Moved"), tr("Weight"), tr("Off")},
-          parent) {}
-
-void LoopModel::set_loops(std::vector<RunLoop> loops) {
-    change(static_cast<int>(loops.size()), [&] { loops_ = std::move(loops); });
-}
-
-std::optional<double> LoopModel::figure(int row, int column) const {
-    const RunLoop& loop = loops_[static_cast<std::size_t>(row)];
-    const LoopRecord& record = loop.record;
-    switch (column) {
-        case score:
-            return record.score;
-        case overlap:
-            return record.overlap;
-        case through:
-            return record.seen_through;
-        case chi:
-            return record.chi_square;
-        case way:
-            return record.way_m;
-        case moved:
-            return loop.closed() ? std::optional(record.move_m) : std::nullopt;
-        case weight:
-            return record.weight;
-        default:
-            return loop.error_m;
-    }
-}
-
-QVariant LoopModel::key(int row, int column) const {
-    const LoopRecord& record = loops_[static_cast<std::size_t>(row)].record;
-    switch (column) {
-        case scan:
-            return QVariant::fromValue<qulonglong>(record.scan);
-        case earlier:
-            return QVariant::fromValue<qulonglong>(record.earlier);
-        case verdict:
-            return verdict_words(record.verdict);
-        default:
-            return figure(row, column).value_or(-1.0);
-    }
-}
-
-QString LoopModel::text(int row, int column) const {
-    const LoopRecord& record = loops_[static_cast<std::size_t>(row)].record;
-    switch (column) {
-        case scan:
-            return QString::number(record.scan + 1);
-        case earlier:
-            return QString::number(record.earlier + 1);
-        case verdict:
-            return verdict_words(record.verdict);
-        default:
-            break;
-    }
-    const std::optional<double> value = figure(row, column);
-    if (!value) return QStringLiteral("–");
-    if (column == way || column == moved || column == error) return metre_words(*value);
-    return QString::number(*value, 'f', column == chi ? 1 : 2);
-}
-
-bool LoopModel::strong(int row) const {
-    return loops_[static_cast<std::size_t>(row)].closed();
-}
 
 LoopTable::LoopTable(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(new LoopModel(this)) {
@@ -123,19 +90,7 @@ LoopTable::LoopTable(Session& session, QWidget* parent)
     there_ = new QWidget(this);
     auto* inside = new QVBoxLayout(there_);
     inside->setContentsMargins(0, 0, 0, 0);
-    auto* bar = new QWidget(there_);
-    auto* row = new FlowLayout(bar, 4);
-    which_ = new QComboBox(bar);
-    which_->setObjectName("loops_listed");
-    which_->addItems({tr("All places"), tr("Closed loops"), tr("Refused")});
-    which_->setToolTip(tr("Which places the table lists"));
-    row->addWidget(which_);
-    row->addWidget(change_ = add_button("loop_change", &LoopTable::change));
-    row->addWidget(to_scan_ = add_button("loop_to_scan", &LoopTable::to_scan));
-    row->addWidget(to_earlier_ = add_button("loop_to_earlier", &LoopTable::to_earlier));
-    to_scan_->setToolTip(tr("The run goes to the scan that came back"));
-    to_earlier_->setToolTip(tr("The run goes to the scan of the earlier passage"));
-    inside->addWidget(bar);
+    inside->addWidget(made_bar(there_));
     auto* halves = new QSplitter(Qt::Vertical, there_);
     table_ = new FiguresTable(model_, halves);
     table_->setObjectName("loop_table");
@@ -148,50 +103,198 @@ LoopTable::LoopTable(Session& session, QWidget* parent)
     reason_->setObjectName("loop_reason");
     reason_->setWordWrap(true);
     inside->addWidget(reason_);
+    edits_ = new EditList(session, there_);
+    inside->addWidget(edits_);
+    connect(edits_, &EditList::edits_wanted, this, &LoopTable::edits_wanted);
     column->addWidget(there_, 1);
     none_ = new QLabel(this);
     none_->setObjectName("no_loops");
     none_->setAlignment(Qt::AlignCenter);
     none_->setWordWrap(true);
     column->addWidget(none_, 1);
+    constexpr int kPollMs = 15;
+    timer_.setInterval(kPollMs);
+    connect(&timer_, &QTimer::timeout, this, &LoopTable::poll);
     connect(which_, &QComboBox::currentIndexChanged, this, &LoopTable::refresh);
     connect(&session, &Session::snapshot_changed, this, &LoopTable::refresh);
     connect(&session, &Session::references_changed, this, &LoopTable::refresh);
     connect(&session, &Session::restarted, this, [this] {
+        fitted_ = {};
         model_->set_loops({});
         view_->set_loop(nullptr, std::nullopt);
     });
     connect(table_, &FiguresTable::row_chosen, this,
             [this](int place) { choose(model_->loops()[static_cast<std::size_t>(place)]); });
-    connect(table_, &QAbstractItemView::activated, this, [this] { go_to(false); });
+    connect(table_, &QAbstractItemView::activated, this, &LoopTable::to_scan);
     connect(view_, &CanvasView::picture_wanted, this, &LoopTable::picture_wanted);
+    connect(view_, &LoopView::laid, this, [this] {
+        measured_.reset();
+        show_change();
+        show_reason();
+    });
 }
 
-QPushButton* LoopTable::add_button(const char* name, void (LoopTable::*pressed)()) {
-    auto* button = new QPushButton(there_);
+QWidget* LoopTable::made_bar(QWidget* parent) {
+    auto* bar = new QWidget(parent);
+    auto* row = new FlowLayout(bar, 4);
+    which_ = new QComboBox(bar);
+    which_->setObjectName("loops_listed");
+    which_->addItems({tr("All places"), tr("Closed loops"), tr("Refused")});
+    which_->setToolTip(tr("Which places the table lists"));
+    row->addWidget(which_);
+    row->addWidget(change_ = add_button(bar, "loop_change", &LoopTable::change));
+    row->addWidget(fit_ = add_button(bar, "loop_fit", &LoopTable::fit));
+    fit_->setText(tr("Fit"));
+    fit_->setToolTip(
+        tr("Lays the later passage on the walls of the earlier one, from where it "
+           "lies below"));
+    row->addWidget(pick_ = add_button(bar, "loop_pick", nullptr));
+    pick_->setText(tr("Choose in the map"));
+    pick_->setToolTip(
+        tr("Two clicks into the map, on the later passage and on the earlier one, "
+           "propose a loop"));
+    pick_->setCheckable(true);
+    connect(pick_, &QPushButton::toggled, this, [this] { first_place_.reset(); });
+    row->addWidget(scan_ = add_number(bar, "loop_scan", tr("Scan %1").arg(QString())));
+    row->addWidget(to_scan_ = add_button(bar, "loop_to_scan", &LoopTable::to_scan));
+    row->addWidget(earlier_ =
+                       add_number(bar, "loop_earlier", tr("came back to %1").arg(QString())));
+    row->addWidget(to_earlier_ = add_button(bar, "loop_to_earlier", &LoopTable::to_earlier));
+    for (QPushButton* button : {to_scan_, to_earlier_}) {
+        button->setText(tr("Go"));
+        button->setToolTip(tr("The run goes to this scan"));
+    }
+    return bar;
+}
+
+QPushButton* LoopTable::add_button(QWidget* parent, const char* name,
+                                   void (LoopTable::*pressed)()) {
+    auto* button = new QPushButton(parent);
     button->setObjectName(name);
-    connect(button, &QPushButton::clicked, this, pressed);
+    if (pressed != nullptr) connect(button, &QPushButton::clicked, this, pressed);
     return button;
+}
+
+QSpinBox* LoopTable::add_number(QWidget* parent, const char* name, const QString& words) {
+    auto* number = new QSpinBox(parent);
+    number->setObjectName(name);
+    number->setPrefix(words);
+    number->setKeyboardTracking(false);
+    number->setRange(1, 1);
+    connect(number, &QSpinBox::valueChanged, this, &LoopTable::propose);
+    return number;
 }
 
 std::vector<GraphEdit> LoopTable::edits() const {
     return parse_graph_edits(session_.configuration().registration.edits);
 }
 
-/// What was changed of it is taken back, else it is opened or closed.
+/// Two scans that are none of the listed pairs are a loop that somebody proposes, between the key
+/// scans nearest to them.
+void LoopTable::propose() {
+    const auto snapshot = session_.snapshot();
+    if (!snapshot || snapshot->keys.empty()) return;
+    const auto key_at = [&](int number) {
+        const auto scan = static_cast<std::uint64_t>(number - 1);
+        const auto after = std::ranges::lower_bound(snapshot->keys, scan, {}, &KeyPose::scan);
+        if (after == snapshot->keys.begin()) return after->scan;
+        const std::uint64_t before = std::prev(after)->scan;
+        return after != snapshot->keys.end() && after->scan - scan < scan - before ? after->scan
+                                                                                   : before;
+    };
+    RunLoop loop;
+    loop.record.scan = key_at(scan_->value());
+    loop.record.earlier = key_at(earlier_->value());
+    if (loop.record.earlier >= loop.record.scan) return;
+    loop.scan = snapshot->best_trajectory.at(loop.record.scan);
+    loop.earlier = snapshot->best_trajectory.at(loop.record.earlier);
+    loop.record.pose_earlier_scan = between(loop.earlier.pose, loop.scan.pose);
+    loop.record.verdict = LoopVerdict::alone;
+    proposed_ = true;
+    chosen_ = loop;
+    measured_.reset();
+    view_->let_go();
+    show_chosen();
+}
+
+bool LoopTable::takes_places() const {
+    return pick_->isChecked() && isVisible();
+}
+
+void LoopTable::take_place(const QPointF& world_m) {
+    constexpr std::uint64_t kOtherPassage = 20;  // scans
+    const auto snapshot = session_.snapshot();
+    if (!takes_places() || !snapshot) return;
+    const auto scan = nearest_key(*snapshot, world_m, [&](std::uint64_t number) {
+        return !first_place_ || (number > *first_place_ ? number - *first_place_
+                                                        : *first_place_ - number) > kOtherPassage;
+    });
+    if (!scan) return;
+    if (!first_place_) {
+        first_place_ = scan;
+        return;
+    }
+    const auto [earlier, later] = std::minmax(*first_place_, *scan);
+    pick_->setChecked(false);
+    {
+        const QSignalBlocker quiet(scan_);
+        scan_->setValue(static_cast<int>(later) + 1);
+    }
+    const QSignalBlocker quiet(earlier_);
+    earlier_->setValue(static_cast<int>(earlier) + 1);
+    propose();
+}
+
+/// What was changed of it is taken back, else it is taken out or put in, as it lies.
 void LoopTable::change() {
     if (!chosen_) return;
     std::vector<GraphEdit> next = edits();
-    if (const auto made = change_of(next, *chosen_); made != next.end()) {
-        next.erase(made);
+    const auto made = change_of(next, *chosen_);
+    const bool by_hand = view_->laid_by_hand();
+    const GraphEdit closing{GraphEdit::Kind::close,
+                            {chosen_->record.scan, chosen_->scan.time_s},
+                            {chosen_->record.earlier, chosen_->earlier.time_s},
+                            view_->pose()};
+    const auto place = made - next.begin();
+    if (made != next.end() && by_hand && made->scan.scan == closing.scan.scan) {
+        next[static_cast<std::size_t>(place)] = closing;
+    } else if (made != next.end() && !by_hand) {
+        next.erase(next.begin() + place);
+    } else if (chosen_->closed() && !by_hand) {
+        next.push_back({GraphEdit::Kind::refuse, closing.scan, closing.earlier});
     } else {
-        const LoopRecord& record = chosen_->record;
-        next.push_back({chosen_->closed() ? GraphEdit::Kind::refuse : GraphEdit::Kind::close,
-                        {record.scan, chosen_->scan.time_s},
-                        {record.earlier, chosen_->earlier.time_s},
-                        chosen_->closed() ? Pose{} : record.pose_earlier_scan});
+        next.push_back(closing);
     }
+    view_->let_go();
+    measured_.reset();
     emit edits_wanted(to_qt(text_of(next)));
+}
+
+void LoopTable::fit() {
+    if (!chosen_ || session_.worker() == nullptr) return;
+    fitted_ = session_.worker()->with_run(
+        [scan = chosen_->record.scan, earlier = chosen_->record.earlier, pose = view_->pose()](
+            const Algoritmo& run) { return run.registration()->fitted_loop(scan, earlier, pose); });
+    timer_.start();
+}
+
+void LoopTable::poll() {
+    if (fitted_.valid() && fitted_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        return;
+    timer_.stop();
+    if (!fitted_.valid()) return;
+    try {
+        const LoopRecord record = fitted_.get();
+        if (!chosen_ || record.scan != chosen_->record.scan ||
+            record.earlier != chosen_->record.earlier) {
+            return;
+        }
+        view_->lay(record.pose_earlier_scan);
+        measured_ = record;
+        show_reason();
+    } catch (const std::exception&) {
+        // The run has gone back to where the scans are no keys yet.
+    }
 }
 
 void LoopTable::go_to(bool earlier) {
@@ -201,6 +304,9 @@ void LoopTable::go_to(bool earlier) {
 
 void LoopTable::choose(const std::optional<RunLoop>& loop) {
     chosen_ = loop;
+    proposed_ = false;
+    measured_.reset();
+    view_->let_go();
     refresh();
 }
 
@@ -240,23 +346,50 @@ void LoopTable::refresh() {
     if (!isVisible()) return;
     const auto snapshot = session_.snapshot();
     const bool registered = needs_registration(session_.configuration().filter);
-    none_->setText(registered ? tr("No place has looked like an earlier one yet.")
+    none_->setText(registered ? tr("No scan has been registered yet.")
                               : tr("With these parameters scans are not registered, and no loops "
                                    "are looked for. The preset “Recorded tours” does both."));
-    const bool there = snapshot && !snapshot->loops.empty();
+    const bool there = snapshot && !snapshot->keys.empty();
     there_->setVisible(there);
     none_->setVisible(!there);
+    for (QSpinBox* number : {scan_, earlier_}) {
+        const QSignalBlocker quiet(number);
+        number->setMaximum(there ? static_cast<int>(snapshot->steps) : 1);
+    }
     model_->set_loops(listed());
+    edits_->refresh();
     show_chosen();
 }
 
-void LoopTable::show_change(const std::optional<RunLoop>& loop) {
-    change_->setEnabled(loop.has_value());
+void LoopTable::show_chosen() {
+    const std::vector<RunLoop>& loops = model_->loops();
+    const auto found = chosen_ ? found_in(loops, *chosen_) : loops.end();
+    const auto snapshot = session_.snapshot();
+    const bool listed = found != loops.end();
+    if (listed) chosen_ = *found;
+    const bool shown =
+        listed || (proposed_ && chosen_ && snapshot && chosen_->record.scan < snapshot->steps);
+    table_->choose(listed ? static_cast<int>(found - loops.begin()) : -1);
+    if (shown) {
+        const QSignalBlocker one(scan_);
+        const QSignalBlocker other(earlier_);
+        scan_->setValue(static_cast<int>(chosen_->record.scan) + 1);
+        earlier_->setValue(static_cast<int>(chosen_->record.earlier) + 1);
+    }
+    for (QPushButton* button : {to_scan_, to_earlier_, fit_, change_}) button->setEnabled(shown);
+    view_->set_loop(snapshot, shown ? chosen_ : std::nullopt);
+    show_change();
+    show_reason();
+    emit loop_shown(shown ? chosen_ : std::nullopt);
+}
+
+void LoopTable::show_change() {
     const std::vector<GraphEdit> made = edits();
-    if (loop && change_of(made, *loop) != made.end()) {
+    const bool changed = chosen_ && change_of(made, *chosen_) != made.end();
+    if (changed && !view_->laid_by_hand()) {
         change_->setText(tr("Take back"));
         change_->setToolTip(tr("Does not change this place by hand any more"));
-    } else if (!loop || loop->closed()) {
+    } else if (chosen_ && chosen_->closed() && !view_->laid_by_hand()) {
         change_->setText(tr("Refuse"));
         change_->setToolTip(tr("Takes this loop, and what was found beside it, out of the map"));
     } else {
@@ -265,27 +398,19 @@ void LoopTable::show_change(const std::optional<RunLoop>& loop) {
     }
 }
 
-void LoopTable::show_chosen() {
-    const std::vector<RunLoop>& loops = model_->loops();
-    const auto found =
-        chosen_ ? std::ranges::find_if(loops, [&](const RunLoop& l) { return same(l, *chosen_); })
-                : loops.end();
-    const bool there = found != loops.end();
-    table_->choose(there ? static_cast<int>(found - loops.begin()) : -1);
-    const auto name = [&](QPushButton* button, std::uint64_t scan) {
-        button->setEnabled(there);
-        button->setText(tr("Go to %1").arg(there ? QString::number(scan + 1) : QString("–")));
-    };
-    name(to_scan_, there ? found->record.scan : 0);
-    name(to_earlier_, there ? found->record.earlier : 0);
-    if (there) chosen_ = *found;
-    const std::optional<RunLoop> shown = there ? chosen_ : std::nullopt;
-    show_change(shown);
-    view_->set_loop(session_.snapshot(), shown);
-    emit loop_shown(shown);
-    reason_->setText(there ? verdict_words(found->record.verdict) + ": " +
-                                 words_of(reason_of(found->record)) + "."
-                           : QString());
+void LoopTable::show_reason() {
+    if (!change_->isEnabled()) {
+        reason_->clear();
+    } else if (measured_) {
+        reason_->setText(tr("Fitted: %1.").arg(measured_words(*measured_)));
+    } else if (view_->laid_by_hand()) {
+        reason_->setText(tr("Laid by hand; Fit lays it on the walls."));
+    } else if (table_->chosen() < 0) {
+        reason_->setText(tr("As the path has both passages; drag the later one, or Fit it."));
+    } else {
+        reason_->setText(verdict_words(chosen_->record.verdict) + ": " +
+                         words_of(reason_of(chosen_->record)) + ".");
+    }
 }
 
 }  // namespace hitos::window

@@ -1,8 +1,11 @@
 // The places that looked like an earlier one, in numbers, and both passages of the chosen one.
 #pragma once
 
+#include <QPointF>
+#include <QTimer>
 #include <QWidget>
 #include <cstdint>
+#include <future>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,32 +17,13 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QSpinBox;
 
 namespace hitos::window {
 
+class EditList;
+class LoopModel;
 class LoopView;
-
-class LoopModel final : public FiguresModel {
-    Q_OBJECT
-
-  public:
-    enum Column { scan, earlier, verdict, score, overlap, through, chi, way, moved, weight, error };
-
-    explicit LoopModel(QObject* parent);
-    void set_loops(std::vector<RunLoop> loops);
-    const std::vector<RunLoop>& loops() const { return loops_; }
-
-  protected:
-    QVariant key(int row, int column) const override;
-    QString text(int row, int column) const override;
-    /// Closed ones.
-    bool strong(int row) const override;
-
-  private:
-    std::optional<double> figure(int row, int column) const;
-
-    std::vector<RunLoop> loops_;
-};
 
 /// Follows the run while it can be seen; key scans are part of the session's snapshots as long.
 class LoopTable final : public QWidget {
@@ -50,8 +34,12 @@ class LoopTable final : public QWidget {
 
     FiguresTable& table() const { return *table_; }
     LoopView& view() const { return *view_; }
-    /// Nothing, or what the run does not list: none.
+    /// One of the run, or one that somebody proposes; nothing: none.
     void choose(const std::optional<RunLoop>& loop);
+    /// Whether places of the map are the scans of a loop to be chosen.
+    bool takes_places() const;
+    /// The scan made nearest to it is the later one of a loop, then the earlier one.
+    void take_place(const QPointF& world_m);
 
   signals:
     /// It is chosen and in sight; nothing: none is.
@@ -65,15 +53,21 @@ class LoopTable final : public QWidget {
     void hideEvent(QHideEvent* event) override;
 
   private:
+    QWidget* made_bar(QWidget* parent);
+    QPushButton* add_button(QWidget* parent, const char* name, void (LoopTable::*pressed)());
+    QSpinBox* add_number(QWidget* parent, const char* name, const QString& words);
     void refresh();
     void show_chosen();
-    void show_change(const std::optional<RunLoop>& loop);
+    void show_change();
+    void show_reason();
     void want();
-    void go_to(bool earlier);
-    QPushButton* add_button(const char* name, void (LoopTable::*pressed)());
     void to_scan() { go_to(false); }
     void to_earlier() { go_to(true); }
+    void go_to(bool earlier);
     void change();
+    void fit();
+    void poll();
+    void propose();
     std::vector<GraphEdit> edits() const;
     std::vector<RunLoop> listed() const;
 
@@ -84,11 +78,21 @@ class LoopTable final : public QWidget {
     QLabel* reason_;
     QLabel* none_;  // instead of all, where there are none
     QWidget* there_;
+    QSpinBox* scan_;
+    QSpinBox* earlier_;
     QPushButton* to_scan_;
     QPushButton* to_earlier_;
     QPushButton* change_;
+    QPushButton* fit_;
+    QPushButton* pick_;
     LoopView* view_;
+    EditList* edits_;
     std::optional<RunLoop> chosen_;
+    bool proposed_ = false;  // chosen_ need not be of the run
+    std::optional<std::uint64_t> first_place_;
+    QTimer timer_;
+    std::future<LoopRecord> fitted_;
+    std::optional<LoopRecord> measured_;  // of the pose that was fitted
 };
 
 }  // namespace hitos::window

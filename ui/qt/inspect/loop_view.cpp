@@ -1,8 +1,11 @@
 #include "loop_view.hpp"
 
 #include <QFontMetricsF>
+#include <QGuiApplication>
+#include <QKeyEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "views/canvas_paint.hpp"
 
@@ -58,16 +61,80 @@ void LoopView::set_loop(const std::shared_ptr<const Snapshot>& snapshot,
                       loop->record.earlier == loop_->record.earlier;
     loop_ = loop;
     earlier_.clear();
-    later_.clear();
+    later_alone_.clear();
+    by_hand_ = by_hand_ && same;
+    if (loop && !by_hand_) pose_ = loop->record.pose_earlier_scan;
     if (snapshot && loop) {
         earlier_ = passage(*snapshot, loop->record.earlier);
-        for (const QPointF& point : passage(*snapshot, loop->record.scan)) {
-            later_.push_back(
-                point_of(transform(loop->record.pose_earlier_scan, Point2{point.x(), point.y()})));
-        }
+        later_alone_ = passage(*snapshot, loop->record.scan);
     }
-    content_changed(std::nullopt);
+    place_later();
     if (!same) fit();
+}
+
+void LoopView::place_later() {
+    later_.clear();
+    for (const QPointF& point : later_alone_)
+        later_.push_back(point_of(transform(pose_, Point2{point.x(), point.y()})));
+    content_changed(std::nullopt);
+}
+
+void LoopView::lay(const Pose& pose) {
+    if (!loop_) return;
+    pose_ = pose;
+    by_hand_ = true;
+    place_later();
+    emit laid();
+}
+
+bool LoopView::pick_up(const QPointF& point) {
+    const double reach = 2.0 * tolerance_m();
+    const bool there = std::ranges::any_of(
+        later_, [&](const QPointF& one) { return QLineF(one, point).length() < reach; });
+    turning_ = QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier);
+    dragged_from_ = point;
+    return there;
+}
+
+void LoopView::drag(const QPointF& point) {
+    const QPointF from = std::exchange(dragged_from_, point);
+    hold_camera(true);
+    Pose next = pose_;
+    if (turning_) {
+        const auto bearing = [&](const QPointF& at) {
+            return std::atan2(at.y() - pose_.y, at.x() - pose_.x);
+        };
+        next.theta = wrap_angle(pose_.theta + bearing(point) - bearing(from));
+    } else {
+        next.x += point.x() - from.x();
+        next.y += point.y() - from.y();
+    }
+    lay(next);
+    hold_camera(false);
+}
+
+void LoopView::keyPressEvent(QKeyEvent* event) {
+    constexpr double kStep = 0.05;  // [m]
+    const bool turns = event->modifiers().testFlag(Qt::ShiftModifier);
+    Pose next = pose_;
+    switch (event->key()) {
+        case Qt::Key_Left:
+            turns ? next.theta = wrap_angle(next.theta + kRadiansPerDegree) : next.x -= kStep;
+            break;
+        case Qt::Key_Right:
+            turns ? next.theta = wrap_angle(next.theta - kRadiansPerDegree) : next.x += kStep;
+            break;
+        case Qt::Key_Up:
+            next.y += kStep;
+            break;
+        case Qt::Key_Down:
+            next.y -= kStep;
+            break;
+        default:
+            CanvasView::keyPressEvent(event);
+            return;
+    }
+    lay(next);
 }
 
 QRectF LoopView::content() const {
@@ -80,7 +147,7 @@ void LoopView::paint_scene(QPainter& painter, const Scene& scene) const {
     draw_points(painter, scene, earlier_, scene.colours.landmark);
     draw_points(painter, scene, later_, scene.colours.particle);
     draw_robot(painter, scene, {});
-    draw_robot(painter, scene, loop_->record.pose_earlier_scan);
+    draw_robot(painter, scene, pose_);
     if (!scene.chrome) return;
     const QPointF corner(8.0, 8.0);
     draw_chip(painter, scene, corner,

@@ -79,6 +79,10 @@
         <source>Changes by hand have met nothing to change (%1 of the list): loops that nobody has found, or scans that the tour has not come to.</source>
         <translation>Hay cambios a mano que no han encontrado nada que cambiar (%1 de la lista): bucles que nadie ha encontrado, o barridos a los que el recorrido no ha llegado.</translation>
     </message>
+    <message>
+        <source>Changes by hand (%1) are of the graph of key scans; with these parameters there is none, and they change nothing.</source>
+        <translation>Los cambios a mano (%1) son del grafo de barridos clave; con estos parámetros no lo hay, y no cambian nada.</translation>
+    </message>
 </context>
 <context>
     <name>Associations</name>
@@ -2962,6 +2966,18 @@
         <source>somebody has taken it out</source>
         <translation>alguien lo ha sacado</translation>
     </message>
+    <message>
+        <source>change %1 is of another tour: it names scan %2, and there are %3</source>
+        <translation>el cambio %1 es de otro recorrido: nombra el barrido %2, y hay %3</translation>
+    </message>
+    <message>
+        <source>scan %1 is no key scan</source>
+        <translation>el barrido %1 no es un barrido clave</translation>
+    </message>
+    <message>
+        <source>has no change by hand; expected %1 with at least one</source>
+        <translation>no tiene ningún cambio a mano; se esperaba %1 con uno al menos</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -5349,8 +5365,8 @@
         <translation>Rehecho, ahora: %1</translation>
     </message>
     <message>
-        <source>The graph is changed by hand; the run is done again</source>
-        <translation>El grafo está cambiado a mano; la ejecución se hace de nuevo</translation>
+        <source>The graph is changed by hand; what follows is done again</source>
+        <translation>El grafo está cambiado a mano; lo que sigue se hace de nuevo</translation>
     </message>
 </context>
 <context>
@@ -5561,6 +5577,41 @@
     <message>
         <source>The tour stands still</source>
         <translation>El recorrido está parado</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::EditList</name>
+    <message>
+        <source>Refused: scan %1 has not come back to %2</source>
+        <translation>Rechazado: el barrido %1 no ha vuelto al %2</translation>
+    </message>
+    <message>
+        <source>Closed: scan %1 has come back to %2</source>
+        <translation>Cerrado: el barrido %1 ha vuelto al %2</translation>
+    </message>
+    <message>
+        <source>Scan %1 is fixed</source>
+        <translation>El barrido %1 está fijado</translation>
+    </message>
+    <message>
+        <source>The step to scan %1 slipped</source>
+        <translation>El paso al barrido %1 patinó</translation>
+    </message>
+    <message>
+        <source>Changes by hand</source>
+        <translation>Cambios a mano</translation>
+    </message>
+    <message>
+        <source>Take back the change</source>
+        <translation>Retirar el cambio</translation>
+    </message>
+    <message>
+        <source>The odometry says nothing of the step to the scan that is shown: its wheels slipped, or somebody pushed the robot</source>
+        <translation>La odometría no dice nada del paso al barrido que se muestra: las ruedas patinaron, o alguien empujó el robot</translation>
+    </message>
+    <message>
+        <source>The step to %1 slipped</source>
+        <translation>El paso a %1 patinó</translation>
     </message>
 </context>
 <context>
@@ -6164,10 +6215,6 @@
         <translation>Bucles</translation>
     </message>
     <message>
-        <source>No place has looked like an earlier one yet.</source>
-        <translation>Ningún lugar se ha parecido aún a uno anterior.</translation>
-    </message>
-    <message>
         <source>With these parameters scans are not registered, and no loops are looked for. The preset “Recorded tours” does both.</source>
         <translation>Con estos parámetros los barridos no se alinean, y no se buscan bucles. La configuración «Recorridos grabados» hace ambas cosas.</translation>
     </message>
@@ -6196,16 +6243,56 @@
         <translation>Cierra este bucle tal como las dos pasadas están abajo</translation>
     </message>
     <message>
-        <source>The run goes to the scan that came back</source>
-        <translation>La ejecución va al barrido que volvió</translation>
+        <source>score %1, overlap %2, looked through %3</source>
+        <translation>puntuación %1, solape %2, visto a través %3</translation>
     </message>
     <message>
-        <source>The run goes to the scan of the earlier passage</source>
-        <translation>La ejecución va al barrido de la pasada anterior</translation>
+        <source>Fit</source>
+        <translation>Ajustar</translation>
     </message>
     <message>
-        <source>Go to %1</source>
-        <translation>Ir a %1</translation>
+        <source>Lays the later passage on the walls of the earlier one, from where it lies below</source>
+        <translation>Pone la pasada posterior sobre las paredes de la anterior, desde donde está abajo</translation>
+    </message>
+    <message>
+        <source>Choose in the map</source>
+        <translation>Elegir en el mapa</translation>
+    </message>
+    <message>
+        <source>Two clicks into the map, on the later passage and on the earlier one, propose a loop</source>
+        <translation>Dos pulsaciones en el mapa, sobre la pasada posterior y sobre la anterior, proponen un bucle</translation>
+    </message>
+    <message>
+        <source>Scan %1</source>
+        <translation>Barrido %1</translation>
+    </message>
+    <message>
+        <source>came back to %1</source>
+        <translation>volvió al %1</translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <translation>Ir</translation>
+    </message>
+    <message>
+        <source>The run goes to this scan</source>
+        <translation>La ejecución va a este barrido</translation>
+    </message>
+    <message>
+        <source>No scan has been registered yet.</source>
+        <translation>Todavía no se ha alineado ningún barrido.</translation>
+    </message>
+    <message>
+        <source>Fitted: %1.</source>
+        <translation>Ajustado: %1.</translation>
+    </message>
+    <message>
+        <source>Laid by hand; Fit lays it on the walls.</source>
+        <translation>Puesta a mano; Ajustar la pone sobre las paredes.</translation>
+    </message>
+    <message>
+        <source>As the path has both passages; drag the later one, or Fit it.</source>
+        <translation>Como el camino tiene las dos pasadas; arrastre la posterior, o pulse Ajustar.</translation>
     </message>
 </context>
 <context>

@@ -399,6 +399,7 @@ void GridView::click(const QPointF& point) {
     const auto landmark = landmark_below(point);
     emit landmark_clicked({landmark});
     if (!landmark) emit loop_clicked(loop_below(point));
+    emit place_clicked(point);
 }
 
 QString GridView::empty_text() const {

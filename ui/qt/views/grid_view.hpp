@@ -56,6 +56,7 @@ class GridView final : public CanvasView {
     void landmark_clicked(hitos::window::PickedLandmark landmark);
     /// One that is drawn, and no landmark before it.
     void loop_clicked(std::optional<hitos::RunLoop> loop);
+    void place_clicked(QPointF world_m);
 
   protected:
     void paint_scene(QPainter& painter, const Scene& scene) const override;

@@ -12,8 +12,9 @@
 
 namespace hitos {
 
-/// A closure further from the reference is false [m].
+/// A closure further from the reference, or turned further against it, is false [m], [rad].
 inline constexpr double kFalseLoop = 1.0;
+inline constexpr double kFalseTurn = 0.3;
 
 /// A loop with its two scans on the path.
 struct RunLoop {
@@ -23,7 +24,9 @@ struct RunLoop {
     /// How far the later scan lies from where the reference has it, seen from the earlier one, as
     /// the loop has it [m]; nothing where the reference does not tell.
     std::optional<double> error_m = std::nullopt;
+    std::optional<double> error_rad = std::nullopt;  ///< likewise, how far it is turned
 
+    bool is_false() const { return error_m > kFalseLoop || error_rad > kFalseTurn; }
     bool closed() const { return record.verdict == LoopVerdict::closed; }
 };
 
@@ -31,8 +34,9 @@ struct RunLoop {
 std::vector<RunLoop> run_loops(std::span<const LoopRecord> closed,
                                std::span<const LoopRecord> refused, const Trajectory& path);
 
-/// Sets the errors by a reference, whose poses are interpolated as trajectory_error() does it.
-void judge_loops(std::vector<RunLoop>& loops, Trajectory reference, double tolerance_s);
+/// Sets the errors by a reference, whose poses are interpolated as trajectory_error() does it. One
+/// whose headings are all the same tells nothing: it has none.
+void judge_loops(std::vector<RunLoop>& loops, const Trajectory& reference, double tolerance_s);
 
 /// Of the closed ones.
 struct LoopPrecision {

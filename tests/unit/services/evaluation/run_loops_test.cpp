@@ -47,6 +47,9 @@ TEST(RunLoops, OnlyThoseTheReferenceTellsOfAreJudged) {
                                 record(8, 5, {0.0, 0.0, 0.0})},
         std::vector<LoopRecord>{record(3, 0, {9.0, 0.0, 0.0}, LoopVerdict::strained)}, straight(9));
     Trajectory reference = straight(7);
+    judge_loops(loops, reference, 0.02);
+    EXPECT_FALSE(loops[1].error_m) << "without headings it tells nothing";
+    reference[6].pose.theta = 1e-9;
     std::swap(reference[1], reference[5]);  // in whatever order it stands
     judge_loops(loops, reference, 0.02);
     EXPECT_NEAR(loops[0].error_m.value(), 6.0, 1e-12);
@@ -56,6 +59,7 @@ TEST(RunLoops, OnlyThoseTheReferenceTellsOfAreJudged) {
     const LoopPrecision precision = precision_of(loops);
     EXPECT_EQ(precision.judged, 2U);  // the refused one is none
     EXPECT_EQ(precision.wrong, 1U);
+    EXPECT_NEAR(loops[1].error_rad.value(), 0.0, 1e-12);
     EXPECT_NEAR(precision.worst_m, 1.5, 1e-12);
     judge_loops(loops, {}, 0.02);
     EXPECT_EQ(precision_of(loops).judged, 0U);
@@ -70,7 +74,7 @@ TEST(RunLoops, AreRowsWithWhatThereIs) {
     const std::string row = csv.substr(csv.find('\n') + 1);
     EXPECT_THAT(row, HasSubstr("5,2,strained,4.000000,1.000000,4.000000,0.000000,1.000000,0.000000,"
                                "0.500000,-0.250000,0.125000,"));
-    EXPECT_THAT(row, HasSubstr(",,91.400000,33.000000,,,,\"the graph would be bent"));
+    EXPECT_THAT(row, HasSubstr(",,91.400000,33.000000,,,,,\"the graph would be bent"));
     EXPECT_THAT(row, HasSubstr("chi-square 91, and at most 33 is allowed"));
 }
 

@@ -152,6 +152,10 @@ TEST(RunWorker, ChangesByHandGiveWhatTheyGiveFromTheBeginning) {
         if (!needs_registration(configuration.filter)) continue;
         const auto plain = run_with(configuration, "");
         ASSERT_FALSE(plain->registration()->loops().empty()) << algorithm;
+        const Pose fixed = run_with(configuration, "fix 800 1 2 0")->best_trajectory()[799].pose;
+        EXPECT_NEAR(fixed.x, 1.0, 0.05) << algorithm;
+        EXPECT_NEAR(fixed.y, 2.0, 0.05) << algorithm;
+        EXPECT_NEAR(fixed.theta, 0.0, 0.02) << algorithm;
         const LoopRecord loop = plain->registration()->loops().front();
         const std::string refused =
             text_of(std::vector<GraphEdit>{{GraphEdit::Kind::refuse, {loop.scan}, {loop.earlier}}});
