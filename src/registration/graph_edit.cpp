@@ -86,11 +86,6 @@ bool contradict(const GraphEdit& a, const GraphEdit& b) {
     return a.kind == b.kind && a.scan.scan == b.scan.scan;
 }
 
-/// The first scan that a change makes otherwise.
-std::uint64_t first_touched(const GraphEdit& edit) {
-    return edit.kind == GraphEdit::Kind::close ? edit.earlier.scan : edit.scan.scan;
-}
-
 }  // namespace
 
 std::string_view word_of(GraphEdit::Kind kind) {
@@ -165,12 +160,30 @@ void check_graph_edits(std::span<const GraphEdit> edits) {
     }
 }
 
-std::uint64_t untouched_scans(std::span<const GraphEdit> before, std::span<const GraphEdit> after) {
+bool same_change(const GraphEdit& a, const GraphEdit& b) {
+    return a.kind == b.kind && a.scan.scan == b.scan.scan && a.earlier.scan == b.earlier.scan &&
+           a.pose == b.pose;
+}
+
+std::uint64_t untouched_scans(std::span<const GraphEdit> before, std::span<const GraphEdit> after,
+                              std::span<const std::uint64_t> keys) {
+    // A key for its own sake, which no change makes one.
+    const auto is_key = [&](std::uint64_t scan) {
+        return std::ranges::binary_search(keys, scan) &&
+               std::ranges::none_of(before, [&](const GraphEdit& edit) {
+                   return edit.has_pose() && (edit.scan.scan == scan || edit.earlier.scan == scan);
+               });
+    };
     std::uint64_t first = std::numeric_limits<std::uint64_t>::max();
     const auto note = [&](std::span<const GraphEdit> edits, std::span<const GraphEdit> others) {
         for (const GraphEdit& edit : edits) {
-            if (std::ranges::find(others, edit) == others.end())
-                first = std::min(first, first_touched(edit));
+            if (std::ranges::any_of(others,
+                                    [&](const GraphEdit& one) { return same_change(one, edit); })) {
+                continue;
+            }
+            first = std::min(first, edit.scan.scan);
+            if (edit.kind == GraphEdit::Kind::close && !is_key(edit.earlier.scan))
+                first = std::min(first, edit.earlier.scan);
         }
     };
     note(before, after);

@@ -25,7 +25,8 @@ GraphEditor::GraphEditor(std::vector<GraphEdit> edits)
 void GraphEditor::replace(std::vector<GraphEdit> edits) {
     std::vector<bool> met;
     for (const GraphEdit& edit : edits) {
-        const auto former = std::ranges::find(edits_, edit);
+        const auto former = std::ranges::find_if(
+            edits_, [&](const GraphEdit& one) { return same_change(one, edit); });
         met.push_back(former != edits_.end() &&
                       met_[static_cast<std::size_t>(former - edits_.begin())]);
     }
@@ -95,26 +96,30 @@ bool GraphEditor::names(const GraphEdit& edit, const KeyGraph& graph, const Loop
            std::abs(way_m(loop.key) - way_m(key_at(graph, edit.earlier.scan))) <= kBeside;
 }
 
-bool GraphEditor::refuses(const KeyGraph& graph, const LoopFound& loop) {
-    constexpr double kMemory = 12.0;  // [m] of way without a find, as that of the search
+std::optional<std::uint64_t> GraphEditor::refuses(const KeyGraph& graph, const LoopFound& loop) {
+    constexpr double kMemory = 12.0;   // [m] of way without a find, as that of the search
+    constexpr double kSame = 0.8;      // [m], less than what false places have in common
+    constexpr double kSameTurn = 0.1;  // [rad]
+    const Pose& now = graph.poses.back().pose;
     const double way_m = graph.scans.back().travelled_m;
-    const double earlier_way_m = graph.scans[loop.key].travelled_m;
-    bool refused = false;
+    const Pose move = compose(loop.pose, inverse(now));
     for (std::size_t i = 0; i < edits_.size(); ++i) {
-        if (names(edits_[i], graph, loop)) refused = met_[i] = true;
-    }
-    if (refused) {
-        refused_.push_back({way_m, earlier_way_m});
-        return true;
+        if (met_[i] || !names(edits_[i], graph, loop)) continue;
+        met_[i] = true;
+        refused_.push_back({edits_[i].scan.scan, way_m, move});
+        return refused_.back().from;
     }
     for (Refused& last : refused_) {
-        const double since = way_m - last.way_m;
-        if (since > kMemory || std::abs(earlier_way_m - last.earlier_way_m) > since + kBeside)
+        const Pose said = compose(last.move, now);
+        if (way_m - last.way_m > kMemory ||
+            std::hypot(said.x - loop.pose.x, said.y - loop.pose.y) > kSame ||
+            std::abs(wrap_angle(said.theta - loop.pose.theta)) > kSameTurn) {
             continue;
-        last = {way_m, earlier_way_m};
-        return true;
+        }
+        last = {last.from, way_m, move};
+        return last.from;
     }
-    return false;
+    return std::nullopt;
 }
 
 std::vector<std::uint64_t> GraphEditor::unmet() const {

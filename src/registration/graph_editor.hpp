@@ -31,16 +31,18 @@ class GraphEditor {
     bool slipped(std::uint64_t scan);
     /// The changes of `close` and `fix` of the graph's newest key.
     std::vector<GraphEdit> of_newest(const KeyGraph& graph);
-    /// Whether a loop, of the graph's newest key, is refused. What goes on where a refused one
-    /// began is refused with it: every place found until none is found for some way.
-    bool refuses(const KeyGraph& graph, const LoopFound& loop);
+    /// Whether a loop, of the graph's newest key, is refused: by the refusal of which scan. What is
+    /// found after it and says the same of where the robot is, is refused with it.
+    std::optional<std::uint64_t> refuses(const KeyGraph& graph, const LoopFound& loop);
     std::vector<std::uint64_t> unmet() const;
 
   private:
-    /// Of a refused stretch the last place: ways driven to both scans.
+    /// Of a refused stretch the last place: the way driven to it, and how it would have moved the
+    /// robot in the world.
     struct Refused {
+        std::uint64_t from;
         double way_m;
-        double earlier_way_m;
+        Pose move;
     };
 
     static bool names(const GraphEdit& edit, const KeyGraph& graph, const LoopFound& loop);

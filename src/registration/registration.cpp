@@ -197,7 +197,8 @@ bool Registration::Impl::close_loop() {
     if (!found) return false;
     LoopRecord record = found->record;
     const std::vector<KeyPose> before = graph_.poses;
-    record.verdict = editor_.refuses(graph_, *found) ? LoopVerdict::by_hand : close(*found, record);
+    record.refused_from = editor_.refuses(graph_, *found);
+    record.verdict = record.refused_from ? LoopVerdict::by_hand : close(*found, record);
     closer_.forget();
     if (record.verdict != LoopVerdict::closed) {
         graph_.poses = before;

@@ -1,4 +1,4 @@
-// Pages in two languages that say the same: the eight lessons, and the user's guide.
+// Pages in two languages that say the same: the nine lessons, and the user's guide.
 #include <gmock/gmock.h>
 
 #include <sstream>
@@ -42,9 +42,9 @@ Page page_of(const std::filesystem::path& path) {
     return page;
 }
 
-TEST(LessonPages, AreEightInBothLanguagesWithTheSamePartsAndCommands) {
+TEST(LessonPages, AreNineInBothLanguagesWithTheSamePartsAndCommands) {
     const std::vector<Lesson> all = lessons();
-    ASSERT_EQ(all.size(), 8U);
+    ASSERT_EQ(all.size(), 9U);
     int number = 0;
     for (const Lesson& lesson : all) {
         EXPECT_EQ(lesson.number, ++number);

@@ -11,6 +11,7 @@
 #include "hitos/services/evaluation/distances.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "hitos/services/evaluation/position_error.hpp"
+#include "hitos/services/evaluation/run_loops.hpp"
 #include "hitos/services/files/map_file.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/services/run/step_figures.hpp"
@@ -370,6 +371,43 @@ TEST_F(Lessons, EkfIsTheBetterUntilItsGateMissesAWall) {
     EXPECT_GE(
         count(told, [](const LessonSeen& seen) { return seen.lines == 5 && seen.corners == 6; }),
         kSeeds - 4);
+}
+
+/// The loops of a run to its end, judged by the truth.
+std::vector<RunLoop> loops_of(const Lesson& lesson, std::uint64_t tour_seed, const Change& change) {
+    Configuracion configuration = ArchivoConfiguracion::read(lesson.configuration);
+    ValueChoices choices{.assignments = change.set, .world_assignments = change.world_set};
+    choices.tour_seed = tour_seed;
+    choose_values(configuration, choices);
+    Algoritmo run(configuration, open_tour(configuration), {.step_grid = false});
+    while (run.step()) {
+    }
+    const Registration& registration = *run.registration();
+    std::vector<RunLoop> loops =
+        run_loops(registration.loops(), registration.refused_loops(), run.best_trajectory());
+    judge_loops(loops, run.reader().truth().value().path, kSameStamp);
+    return loops;
+}
+
+TEST_F(Lessons, AFalseLoopIsTakenOutAndTheTrueOneFound) {
+    constexpr std::uint64_t kTours = 4;
+    int falsely = 0;
+    for (std::uint64_t tour = 1; tour <= kTours; ++tour)
+        falsely += precision_of(loops_of(lesson(9), tour, {})).wrong > 0 ? 1 : 0;
+    EXPECT_GE(falsely, 3);
+    // The page's own tour, and the file of changes beside it.
+    EXPECT_EQ(precision_of(loops_of(lesson(9), 0, {})).wrong, 1U);
+    const std::string edits = ArchivoConfiguracion::read_edits(lesson(9).folder / "edits.toml");
+    const LoopPrecision mended =
+        precision_of(loops_of(lesson(9), 0, {.set = {"registration.edits=" + edits}}));
+    EXPECT_EQ(mended.judged, 1U);
+    EXPECT_EQ(mended.wrong, 0U);
+    EXPECT_LT(mended.worst_m, 0.2);
+    const LoopPrecision better = precision_of(loops_of(
+        lesson(9), 0,
+        {.set = {"registration.odometry_scale=0.2"}, .world_set = {"odometry.noise=0.2"}}));
+    EXPECT_EQ(better.judged, 1U);
+    EXPECT_EQ(better.wrong, 0U);
 }
 
 }  // namespace

@@ -53,9 +53,12 @@ std::vector<GraphEdit> parse_graph_edits(std::string_view text);
 /// Reads back as the same, to the last bit.
 std::string text_of(std::span<const GraphEdit> edits);
 
+/// Whether they do the same: but for stamps and comments they are equal.
+bool same_change(const GraphEdit& a, const GraphEdit& b);
 /// How many scans come before the first that a change makes otherwise which is in one of the lists
-/// alone.
-std::uint64_t untouched_scans(std::span<const GraphEdit> before, std::span<const GraphEdit> after);
+/// alone. `keys` are the key scans of a run with the first list, in their order.
+std::uint64_t untouched_scans(std::span<const GraphEdit> before, std::span<const GraphEdit> after,
+                              std::span<const std::uint64_t> keys);
 
 /// Throws ConfigError where a change is none, or two contradict each other.
 void check_graph_edits(std::span<const GraphEdit> edits);

@@ -45,6 +45,8 @@ struct LoopRecord {
     std::optional<double> weight;
     LoopVerdict verdict = LoopVerdict::closed;
     bool by_hand = false;  ///< somebody has closed it
+    /// Of one that somebody has refused: the scan that the refusal names.
+    std::optional<std::uint64_t> refused_from;
 };
 /// For people: why it was closed or not, with the figure that decided.
 Message reason_of(const LoopRecord& loop);

@@ -191,6 +191,23 @@ std::size_t end_of_utf8(std::string_view text) {
     return i;
 }
 
+/// As it stands between quotes; line ends as they are.
+std::string escaped(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            out += '\\';
+            out += c;
+        } else if ((byte < 0x20 && c != '\n') || byte == 0x7f) {
+            out += fmt::format("\\u{:04X}", byte);
+        } else {
+            out += c;
+        }
+    }
+    return out;
+}
+
 std::string toml_string(const ConfigParameter& parameter, std::string_view text) {
     if (end_of_utf8(text) != text.size()) {
         throw ConfigError(
@@ -198,25 +215,8 @@ std::string toml_string(const ConfigParameter& parameter, std::string_view text)
             HITOS_TEXT("Errors", "%1 is not UTF-8 and cannot stand in a configuration file"),
             input::in_quotes(text));
     }
-    // Lines as lines, where that is the same text.
-    const auto plain = [](unsigned char c) {
-        return c == '\n' || (c >= 0x20 && c != 0x7f && c != '"' && c != '\\');
-    };
-    if (text.find('\n') != std::string_view::npos && std::ranges::all_of(text, plain))
-        return fmt::format("\"\"\"\n{}\"\"\"", text);
-    std::string out = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') {
-            out += '\\';
-            out += c;
-        } else if (byte < 0x20 || byte == 0x7f) {
-            out += fmt::format("\\u{:04X}", byte);
-        } else {
-            out += c;
-        }
-    }
-    return out + '"';
+    const bool lines = text.find('\n') != std::string_view::npos;
+    return lines ? "\"\"\"\n" + escaped(text) + "\"\"\"" : '"' + escaped(text) + '"';
 }
 
 std::string toml_value(const ConfigParameter& parameter, const Configuracion& configuration) {
@@ -323,7 +323,7 @@ std::string ArchivoConfiguracion::edits_text(const std::string& title, std::stri
     const std::string key = kGraphEditsKey;
     out += fmt::format("[{}]\n{} = \"\"\"\n", key.substr(0, key.find('.')), name_of(key));
     for (const GraphEdit& edit : parse_graph_edits(edits))
-        out += text_of(std::span(&edit, 1)) + (edit.comment.empty() ? "\n" : "");
+        out += escaped(text_of(std::span(&edit, 1))) + (edit.comment.empty() ? "\n" : "");
     return out + "\"\"\"\n";
 }
 

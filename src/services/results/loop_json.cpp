@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 #include <optional>
+#include <string_view>
 
 #include "json_input.hpp"
 
@@ -45,16 +46,18 @@ ordered_json json_of(const RunLoop& loop) {
     return json;
 }
 
-LoopRecord record_in(const nlohmann::json& json, const Trajectory& path, const std::string& file) {
+/// What versions before had not is as it is in a loop of which nothing is known.
+LoopRecord record_in(const nlohmann::json& json, std::string_view verdict, const Trajectory& path,
+                     const std::string& file) {
     LoopRecord record;
     record.scan = whole_number<std::uint64_t>(json, "scan", file, 1, path.size()) - 1;
     record.earlier = whole_number<std::uint64_t>(json, "earlier", file, 1, path.size()) - 1;
-    record.verdict = verdict_of(json.at("verdict").get<std::string>());
+    record.verdict = verdict_of(json.value("verdict", std::string(verdict)));
     const auto pose = json.at("pose").get<std::array<double, 3>>();
     record.pose_earlier_scan = {pose[0], pose[1], pose[2]};
     record.way_m = json.value("way_m", 0.0);
-    record.score = json.at("score").get<double>();
-    record.overlap = json.at("overlap").get<double>();
+    record.score = json.value("score", 0.0);
+    record.overlap = json.value("overlap", 0.0);
     record.move_m = json.value("move_m", 0.0);
     record.by_hand = json.value("by_hand", false);
     for (const Figure& figure : kFigures) {
@@ -75,14 +78,17 @@ ordered_json json_of(std::span<const RunLoop> loops, std::optional<bool> closed)
 
 std::vector<RunLoop> read_loops(const nlohmann::json& quality, const Trajectory& path,
                                 const std::string& file) {
-    const auto records = [&](const char* word) {
+    const auto records = [&](const char* word, LoopVerdict verdict) {
         std::vector<LoopRecord> found;
         if (!quality.contains(word)) return found;
-        for (const nlohmann::json& loop : quality.at(word))
-            found.push_back(record_in(loop, path, file));
+        for (const nlohmann::json& loop : quality.at(word)) {
+            if (loop.contains("pose"))
+                found.push_back(record_in(loop, word_of(verdict), path, file));
+        }
         return found;
     };
-    return run_loops(records("loops"), records("refused_loops"), path);
+    return run_loops(records("loops", LoopVerdict::closed),
+                     records("refused_loops", LoopVerdict::alone), path);
 }
 
 }  // namespace hitos

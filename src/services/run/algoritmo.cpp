@@ -196,8 +196,10 @@ void Algoritmo::set_edits(const std::string& edits) {
 
 std::uint64_t Algoritmo::untouched_scans(const std::string& edits) const {
     if (!state_.registration) return steps();
+    std::vector<std::uint64_t> keys;
+    for (const KeyPose& key : state_.registration->keys()) keys.push_back(key.scan);
     return hitos::untouched_scans(parse_graph_edits(configuration_.registration.edits),
-                                  parse_graph_edits(edits));
+                                  parse_graph_edits(edits), keys);
 }
 
 std::vector<Advice> Algoritmo::advice() const {

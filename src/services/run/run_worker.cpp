@@ -116,7 +116,7 @@ void RunWorker::seek(std::uint64_t steps) {
     budget_ = 0;
     rules_ = {};
     paced_ = false;
-    seek_wanted_ = steps;
+    seek_wanted_ = seek_target_ = steps;
     seek_began_ = std::chrono::steady_clock::now();
     progress_.state = Progress::State::running;
     progress_.stopped_by = StopReason::none;
@@ -126,20 +126,25 @@ void RunWorker::seek(std::uint64_t steps) {
 void RunWorker::set_edits(const std::string& edits) {
     static_cast<void>(parse_graph_edits(edits));  // throws
     const std::scoped_lock lock(mutex_);
-    if (progress_.state == Progress::State::failed) return;
-    // Where it was on its way to, else where it is.
-    if (!seek_wanted_) {
-        seek_wanted_ = progress_.state == Progress::State::finished
+    const bool sought = progress_.state == Progress::State::running && !paced_;
+    if (!edits_wanted_) {
+        edit_target_ = progress_.state == Progress::State::finished ||
+                               progress_.state == Progress::State::failed
                            ? kToTheEnd
-                           : progress_.steps + std::min(budget_, kToTheEnd - progress_.steps);
+                       : sought ? seek_target_
+                                : progress_.steps;
     }
     edits_wanted_ = edits;
+    seek_wanted_.reset();
     budget_ = 0;
     rules_ = {};
     paced_ = false;
+    seek_target_ = edit_target_;
     seek_began_ = std::chrono::steady_clock::now();
     progress_.state = Progress::State::running;
     progress_.stopped_by = StopReason::none;
+    progress_.error = {};
+    progress_.failure = nullptr;
     snapshot_ = nullptr;
     wake_.notify_one();
 }
@@ -217,11 +222,10 @@ void RunWorker::fail(Message error, std::exception_ptr failure) {
     busy_ = false;
     const bool in_a_step = std::exchange(stepping_, false);
     idle_.notify_all();
-    if (restart_wanted_) return;  // then it no longer matters
+    if (restart_wanted_ || edits_wanted_) return;  // then it no longer matters
     if (in_a_step) note_progress();
     budget_ = 0;
     seek_wanted_.reset();
-    edits_wanted_.reset();
     progress_.state = Progress::State::failed;
     progress_.error = std::move(error);
     progress_.failure = std::move(failure);
@@ -257,7 +261,7 @@ void RunWorker::work_until(const std::stop_token& stop) {
         } else if (budget_ > 0 && !waits_for_pace()) {
             step(lock);
         }
-        if (snapshot_wanted_ && !passes_by()) publish_snapshot(lock);
+        if (snapshot_wanted_ && !edits_wanted_ && !passes_by()) publish_snapshot(lock);
         for (const auto& task : std::exchange(tasks_, {})) {
             lock.unlock();
             task(run_);
@@ -280,7 +284,7 @@ void RunWorker::go_to(std::uint64_t steps, std::unique_lock<std::mutex>& lock) {
     if (from || back) leave_for(from.get());
     lock.lock();
     stepping_ = false;
-    if (restart_wanted_) return;
+    if (restart_wanted_ || edits_wanted_) return;
     rate_since_ = std::chrono::steady_clock::now();
     rate_steps_ = run_.steps();
     note_progress();
@@ -301,19 +305,26 @@ void RunWorker::leave_for(const RunCheckpoint* checkpoint) {
 
 void RunWorker::take_edits(std::unique_lock<std::mutex>& lock) {
     const std::string edits = *std::exchange(edits_wanted_, std::nullopt);
-    stepping_ = true;
-    lock.unlock();
     const std::uint64_t untouched = run_.untouched_scans(edits);
     checkpoints_.forget_after(untouched);
+    const auto from = checkpoints_.before(std::min(untouched, edit_target_));
+    // Said before the lock is let go, so that what is ordered meanwhile counts.
+    budget_ = edit_target_ - (from ? from->steps() : 0);
+    stepping_ = true;
+    lock.unlock();
     run_.set_edits(edits);
-    leave_for(checkpoints_.before(untouched).get());
+    leave_for(from.get());
     lock.lock();
     stepping_ = false;
-    if (restart_wanted_) return;
+    if (restart_wanted_ || edits_wanted_) return;
     if (figures_.size() > run_.steps())
         figures_.erase(figures_.begin() + static_cast<std::ptrdiff_t>(run_.steps()),
                        figures_.end());
     note_progress();
+    if (seek_wanted_) return;  // a newer one
+    progress_.state = budget_ > 0            ? Progress::State::running
+                      : progress_.steps == 0 ? Progress::State::ready
+                                             : Progress::State::paused;
 }
 
 void RunWorker::step(std::unique_lock<std::mutex>& lock) {
@@ -329,7 +340,7 @@ void RunWorker::step(std::unique_lock<std::mutex>& lock) {
     }
     lock.lock();
     stepping_ = false;
-    if (restart_wanted_) return;  // this step's outcome no longer matters
+    if (restart_wanted_ || edits_wanted_) return;  // this step's outcome no longer matters
     progress_.step_seconds = std::chrono::duration<double>(end - begin).count();
     note_progress();
     if (!more) {
@@ -411,7 +422,7 @@ void RunWorker::publish_snapshot(std::unique_lock<std::mutex>& lock) {
     snapshot->step_grid = snapshot->grid_behind ? grid_.last() : grid_.now(run_);
     snapshot->seconds = thread_seconds() - begin;
     lock.lock();
-    if (!restart_wanted_) snapshot_ = std::move(snapshot);
+    if (!restart_wanted_ && !edits_wanted_) snapshot_ = std::move(snapshot);
 }
 
 }  // namespace hitos

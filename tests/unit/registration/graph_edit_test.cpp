@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "hitos/base/error.hpp"
 #include "ring_tour.hpp"
 
@@ -41,6 +45,22 @@ TEST(GraphEdit, LinesCommentsAndNothing) {
     EXPECT_EQ(edits[2], (GraphEdit{GraphEdit::Kind::slip, {8}}));
     EXPECT_EQ(edits[0].comment, "as a wheel did; refuse 9 1");
     EXPECT_EQ(parse_graph_edits(text_of(edits)), edits);
+}
+
+TEST(GraphEdit, ScansBeforeAChangeAreUntouched) {
+    const std::vector<std::uint64_t> keys{0, 4, 8, 12, 20};
+    const auto untouched = [&](const char* before, const char* after) {
+        return untouched_scans(parse_graph_edits(before), parse_graph_edits(after), keys);
+    };
+    constexpr auto kAll = std::numeric_limits<std::uint64_t>::max();
+    EXPECT_EQ(untouched("slip 9; refuse 13 2", "refuse 13@5.5 2; slip 9 # why"), kAll);
+    EXPECT_EQ(untouched("", "slip 9"), 8U);
+    EXPECT_EQ(untouched("refuse 13 2; slip 20", "slip 20"), 12U);
+    EXPECT_EQ(untouched("fix 13 0 0 0", "fix 13 0 0 1"), 12U);
+    // A key for its own sake stays one; a scan that becomes one is a change.
+    EXPECT_EQ(untouched("", "close 13 5 0 0 0"), 12U);
+    EXPECT_EQ(untouched("", "close 13 6 0 0 0"), 5U);
+    EXPECT_EQ(untouched("close 13 5 0 0 0", ""), 4U) << "it may have been made one by the change";
 }
 
 TEST(GraphEdit, WhatIsNoneIsRefusedWithItsPlace) {

@@ -1,5 +1,8 @@
 #include "inspection.hpp"
 
+#include <QAction>
+#include <QDockWidget>
+
 #include "association_inspector.hpp"
 #include "joint_covariance.hpp"
 #include "landmark_table.hpp"
@@ -24,7 +27,13 @@ Inspection::Inspection(Session& session, const DockPlace& place)
     add_dock(place, associations_, tr("Associations"), "associations_dock",
              QKeySequence("Ctrl+Shift+A"));
     add_dock(place, joint_, tr("Joint covariance"), "joint_dock", QKeySequence("Ctrl+Shift+J"));
-    add_dock(place, loops_, tr("Loops"), "loops_dock", QKeySequence("Ctrl+Shift+O"));
+    auto* loops_dock =
+        add_dock(place, loops_, tr("Loops"), "loops_dock", QKeySequence("Ctrl+Shift+O"));
+    const auto take_keys = [this](bool shown) {
+        if (shown) loops_->take_keys();
+    };
+    connect(loops_dock->toggleViewAction(), &QAction::triggered, loops_, take_keys,
+            Qt::QueuedConnection);  // once it is in sight
     connect(landmarks_, &LandmarkTable::landmark_chosen, this, &Inspection::landmark_chosen);
     connect(associations_, &AssociationInspector::landmark_chosen, this,
             &Inspection::landmark_chosen);

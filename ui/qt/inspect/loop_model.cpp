@@ -22,10 +22,9 @@ QString verdict_words(LoopVerdict verdict) {
 }
 
 LoopModel::LoopModel(QObject* parent)
-    : FiguresModel(
-          {tr("Scan"), tr("Earlier"), tr("Verdict"), tr("Score"), tr("Overlap"),
-           tr("Looked through"), "χ²", tr("Way between"), tr("Moved"), tr("Weight"), tr("Off")},
-          parent) {}
+    : FiguresModel({tr("Scan"), tr("Earlier"), tr("Verdict"), tr("Off"), tr("Score"), tr("Overlap"),
+                    tr("Looked through"), "χ²", tr("Way between"), tr("Moved"), tr("Weight")},
+                   parent) {}
 
 void LoopModel::set_loops(std::vector<RunLoop> loops) {
     change(static_cast<int>(loops.size()), [&] { loops_ = std::move(loops); });

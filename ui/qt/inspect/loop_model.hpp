@@ -17,7 +17,7 @@ class LoopModel final : public FiguresModel {
     Q_OBJECT
 
   public:
-    enum Column { scan, earlier, verdict, score, overlap, through, chi, way, moved, weight, error };
+    enum Column { scan, earlier, verdict, error, score, overlap, through, chi, way, moved, weight };
 
     explicit LoopModel(QObject* parent);
     void set_loops(std::vector<RunLoop> loops);

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QShortcut>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QSplitter>
@@ -48,14 +49,10 @@ auto change_of(const std::vector<GraphEdit>& edits, const RunLoop& loop) {
         return edit.of_two() && edit.scan.scan == loop.record.scan &&
                edit.earlier.scan == loop.record.earlier;
     });
-    if (own != edits.end() || loop.record.verdict != LoopVerdict::by_hand) return own;
-    auto last = edits.end();
-    for (auto edit = edits.begin(); edit != edits.end(); ++edit) {
-        const bool before =
-            edit->kind == GraphEdit::Kind::refuse && edit->scan.scan <= loop.record.scan;
-        if (before && (last == edits.end() || edit->scan.scan > last->scan.scan)) last = edit;
-    }
-    return last;
+    if (own != edits.end()) return own;
+    return std::ranges::find_if(edits, [&](const GraphEdit& edit) {
+        return edit.kind == GraphEdit::Kind::refuse && loop.record.refused_from == edit.scan.scan;
+    });
 }
 
 QString measured_words(const LoopRecord& record) {
@@ -120,12 +117,15 @@ LoopTable::LoopTable(Session& session, QWidget* parent)
     connect(&session, &Session::references_changed, this, &LoopTable::refresh);
     connect(&session, &Session::restarted, this, [this] {
         fitted_ = {};
+        first_place_.reset();
         model_->set_loops({});
         view_->set_loop(nullptr, std::nullopt);
     });
     connect(table_, &FiguresTable::row_chosen, this,
             [this](int place) { choose(model_->loops()[static_cast<std::size_t>(place)]); });
     connect(table_, &QAbstractItemView::activated, this, &LoopTable::to_scan);
+    auto* by_key = new QShortcut(Qt::Key_Delete, table_, nullptr, nullptr, Qt::WidgetShortcut);
+    connect(by_key, &QShortcut::activated, change_, &QPushButton::click);
     connect(view_, &CanvasView::picture_wanted, this, &LoopTable::picture_wanted);
     connect(view_, &LoopView::laid, this, [this] {
         measured_.reset();
@@ -139,7 +139,9 @@ QWidget* LoopTable::made_bar(QWidget* parent) {
     auto* row = new FlowLayout(bar, 4);
     which_ = new QComboBox(bar);
     which_->setObjectName("loops_listed");
-    which_->addItems({tr("All places"), tr("Closed loops"), tr("Refused")});
+    which_->addItems(
+        {tr("All places (%1)").arg(0), tr("Closed loops (%1)").arg(0), tr("Refused (%1)").arg(0)});
+    which_->setCurrentIndex(closed);
     which_->setToolTip(tr("Which places the table lists"));
     row->addWidget(which_);
     row->addWidget(change_ = add_button(bar, "loop_change", &LoopTable::change));
@@ -194,18 +196,28 @@ std::vector<GraphEdit> LoopTable::edits() const {
 void LoopTable::propose() {
     const auto snapshot = session_.snapshot();
     if (!snapshot || snapshot->keys.empty()) return;
-    const auto key_at = [&](int number) {
+    // From key to key, in the direction that the number goes.
+    const auto key_at = [&](int number, std::optional<std::uint64_t> before) {
         const auto scan = static_cast<std::uint64_t>(number - 1);
-        const auto after = std::ranges::lower_bound(snapshot->keys, scan, {}, &KeyPose::scan);
-        if (after == snapshot->keys.begin()) return after->scan;
-        const std::uint64_t before = std::prev(after)->scan;
-        return after != snapshot->keys.end() && after->scan - scan < scan - before ? after->scan
-                                                                                   : before;
+        auto key = std::ranges::lower_bound(snapshot->keys, scan, {}, &KeyPose::scan);
+        const bool down = before && scan < *before;
+        if (key == snapshot->keys.end() ||
+            (down && key->scan > scan && key != snapshot->keys.begin())) {
+            --key;
+        }
+        return key->scan;
     };
     RunLoop loop;
-    loop.record.scan = key_at(scan_->value());
-    loop.record.earlier = key_at(earlier_->value());
-    if (loop.record.earlier >= loop.record.scan) return;
+    const bool had = chosen_.has_value();
+    loop.record.scan =
+        key_at(scan_->value(), had ? std::optional(chosen_->record.scan) : std::nullopt);
+    loop.record.earlier =
+        key_at(earlier_->value(), had ? std::optional(chosen_->record.earlier) : std::nullopt);
+    if (loop.record.earlier >= loop.record.scan) {
+        choose(std::nullopt);
+        reason_->setText(tr("The earlier scan has to come before the other."));
+        return;
+    }
     loop.scan = snapshot->best_trajectory.at(loop.record.scan);
     loop.earlier = snapshot->best_trajectory.at(loop.record.earlier);
     loop.record.pose_earlier_scan = between(loop.earlier.pose, loop.scan.pose);
@@ -232,9 +244,10 @@ void LoopTable::take_place(const QPointF& world_m) {
     if (!scan) return;
     if (!first_place_) {
         first_place_ = scan;
+        reason_->setText(tr("Scan %1. Now click the other passage.").arg(*scan + 1));
         return;
     }
-    const auto [earlier, later] = std::minmax(*first_place_, *scan);
+    const auto [earlier, later] = std::minmax({*first_place_, *scan});
     pick_->setChecked(false);
     {
         const QSignalBlocker quiet(scan_);
@@ -251,10 +264,11 @@ void LoopTable::change() {
     std::vector<GraphEdit> next = edits();
     const auto made = change_of(next, *chosen_);
     const bool by_hand = view_->laid_by_hand();
-    const GraphEdit closing{GraphEdit::Kind::close,
-                            {chosen_->record.scan, chosen_->scan.time_s},
-                            {chosen_->record.earlier, chosen_->earlier.time_s},
-                            view_->pose()};
+    GraphEdit closing{GraphEdit::Kind::close,
+                      {chosen_->record.scan, chosen_->scan.time_s},
+                      {chosen_->record.earlier, chosen_->earlier.time_s},
+                      view_->pose()};
+    if (made != next.end()) closing.comment = made->comment;
     const auto place = made - next.begin();
     if (made != next.end() && by_hand && made->scan.scan == closing.scan.scan) {
         next[static_cast<std::size_t>(place)] = closing;
@@ -292,8 +306,8 @@ void LoopTable::poll() {
         view_->lay(record.pose_earlier_scan);
         measured_ = record;
         show_reason();
-    } catch (const std::exception&) {
-        // The run has gone back to where the scans are no keys yet.
+    } catch (const std::exception& error) {  // the run has gone back before one of the scans
+        reason_->setText(window::words_of(error));
     }
 }
 
@@ -308,6 +322,11 @@ void LoopTable::choose(const std::optional<RunLoop>& loop) {
     measured_.reset();
     view_->let_go();
     refresh();
+}
+
+void LoopTable::take_keys() {
+    if (!chosen_ && !model_->loops().empty()) choose(model_->loops().front());
+    table_->setFocus();
 }
 
 void LoopTable::showEvent(QShowEvent* event) {
@@ -328,18 +347,24 @@ void LoopTable::want() {
     session_.want(parts);
 }
 
-std::vector<RunLoop> LoopTable::listed() const {
+/// Those of the run, with their errors, and of them what the table lists.
+void LoopTable::take_loops() {
     const auto snapshot = session_.snapshot();
-    if (!snapshot) return {};
-    std::vector<RunLoop> loops = snapshot->loops;
+    loops_ = snapshot ? snapshot->loops : std::vector<RunLoop>();
+    const References& references = session_.references();
+    if (references.trajectory) judge_loops(loops_, *references.trajectory, references.tolerance_s);
+    const auto number = std::ranges::count_if(loops_, &RunLoop::closed);
+    const auto count = static_cast<std::ptrdiff_t>(loops_.size());
+    which_->setItemText(all, tr("All places (%1)").arg(count));
+    which_->setItemText(closed, tr("Closed loops (%1)").arg(number));
+    which_->setItemText(refused, tr("Refused (%1)").arg(count - number));
+    std::vector<RunLoop> listed = loops_;
     const int which = which_->currentIndex();
     if (which != all) {
-        std::erase_if(loops,
+        std::erase_if(listed,
                       [&](const RunLoop& loop) { return loop.closed() != (which == closed); });
     }
-    const References& references = session_.references();
-    if (references.trajectory) judge_loops(loops, *references.trajectory, references.tolerance_s);
-    return loops;
+    model_->set_loops(std::move(listed));
 }
 
 void LoopTable::refresh() {
@@ -349,34 +374,43 @@ void LoopTable::refresh() {
     none_->setText(registered ? tr("No scan has been registered yet.")
                               : tr("With these parameters scans are not registered, and no loops "
                                    "are looked for. The preset “Recorded tours” does both."));
-    const bool there = snapshot && !snapshot->keys.empty();
+    const bool redone =
+        !snapshot && there_->isVisible() && session_.progress().state == Progress::State::running;
+    const bool there = (snapshot && !snapshot->keys.empty()) || redone;
     there_->setVisible(there);
     none_->setVisible(!there);
     for (QSpinBox* number : {scan_, earlier_}) {
         const QSignalBlocker quiet(number);
-        number->setMaximum(there ? static_cast<int>(snapshot->steps) : 1);
+        const int most = there && snapshot ? static_cast<int>(snapshot->steps) : number->maximum();
+        if (most > number->maximum() || !number->hasFocus()) number->setMaximum(most);
     }
-    model_->set_loops(listed());
+    take_loops();
     edits_->refresh();
     show_chosen();
 }
 
 void LoopTable::show_chosen() {
-    const std::vector<RunLoop>& loops = model_->loops();
-    const auto found = chosen_ ? found_in(loops, *chosen_) : loops.end();
+    const auto found = chosen_ ? found_in(loops_, *chosen_) : loops_.end();
     const auto snapshot = session_.snapshot();
-    const bool listed = found != loops.end();
-    if (listed) chosen_ = *found;
+    const bool found_it = found != loops_.end();
+    if (found_it) chosen_ = *found;
     const bool shown =
-        listed || (proposed_ && chosen_ && snapshot && chosen_->record.scan < snapshot->steps);
-    table_->choose(listed ? static_cast<int>(found - loops.begin()) : -1);
+        found_it || (proposed_ && chosen_ && snapshot && chosen_->record.scan < snapshot->steps);
+    // It may be one that the table does not list.
+    const std::vector<RunLoop>& listed = model_->loops();
+    const auto row = found_it ? found_in(listed, *chosen_) : listed.end();
+    table_->choose(row != listed.end() ? static_cast<int>(row - listed.begin()) : -1);
+    const auto show = [](QSpinBox* number, std::uint64_t scan) {
+        const QSignalBlocker quiet(number);
+        const int value = static_cast<int>(scan) + 1;
+        if (number->value() != value) number->setValue(value);  // else what is being typed stays
+    };
     if (shown) {
-        const QSignalBlocker one(scan_);
-        const QSignalBlocker other(earlier_);
-        scan_->setValue(static_cast<int>(chosen_->record.scan) + 1);
-        earlier_->setValue(static_cast<int>(chosen_->record.earlier) + 1);
+        show(scan_, chosen_->record.scan);
+        show(earlier_, chosen_->record.earlier);
     }
-    for (QPushButton* button : {to_scan_, to_earlier_, fit_, change_}) button->setEnabled(shown);
+    for (QPushButton* button : {fit_, change_}) button->setEnabled(shown);
+    for (QPushButton* button : {to_scan_, to_earlier_}) button->setEnabled(chosen_.has_value());
     view_->set_loop(snapshot, shown ? chosen_ : std::nullopt);
     show_change();
     show_reason();
@@ -405,7 +439,7 @@ void LoopTable::show_reason() {
         reason_->setText(tr("Fitted: %1.").arg(measured_words(*measured_)));
     } else if (view_->laid_by_hand()) {
         reason_->setText(tr("Laid by hand; Fit lays it on the walls."));
-    } else if (table_->chosen() < 0) {
+    } else if (proposed_ && found_in(loops_, *chosen_) == loops_.end()) {
         reason_->setText(tr("As the path has both passages; drag the later one, or Fit it."));
     } else {
         reason_->setText(verdict_words(chosen_->record.verdict) + ": " +

@@ -34,6 +34,8 @@ class LoopTable final : public QWidget {
 
     FiguresTable& table() const { return *table_; }
     LoopView& view() const { return *view_; }
+    /// The table has the keyboard, and where nothing is chosen its first row is.
+    void take_keys();
     /// One of the run, or one that somebody proposes; nothing: none.
     void choose(const std::optional<RunLoop>& loop);
     /// Whether places of the map are the scans of a loop to be chosen.
@@ -69,7 +71,7 @@ class LoopTable final : public QWidget {
     void poll();
     void propose();
     std::vector<GraphEdit> edits() const;
-    std::vector<RunLoop> listed() const;
+    void take_loops();
 
     Session& session_;
     LoopModel* model_;
@@ -87,6 +89,7 @@ class LoopTable final : public QWidget {
     QPushButton* pick_;
     LoopView* view_;
     EditList* edits_;
+    std::vector<RunLoop> loops_;  // of the run
     std::optional<RunLoop> chosen_;
     bool proposed_ = false;  // chosen_ need not be of the run
     std::optional<std::uint64_t> first_place_;

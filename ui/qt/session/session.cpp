@@ -112,7 +112,7 @@ void Session::set_edits(const std::string& edits) {
     Configuracion next = configuration_;
     next.registration.edits = edits;
     check(next);
-    if (!worker_ || progress().state == Progress::State::failed) {
+    if (!worker_) {
         set_configuration(next);
         return;
     }

@@ -6195,18 +6195,6 @@
 <context>
     <name>hitos::window::LoopTable</name>
     <message>
-        <source>All places</source>
-        <translation>Todos los lugares</translation>
-    </message>
-    <message>
-        <source>Closed loops</source>
-        <translation>Bucles cerrados</translation>
-    </message>
-    <message>
-        <source>Refused</source>
-        <translation>Rechazados</translation>
-    </message>
-    <message>
         <source>Which places the table lists</source>
         <translation>Qué lugares enumera la tabla</translation>
     </message>
@@ -6293,6 +6281,26 @@
     <message>
         <source>As the path has both passages; drag the later one, or Fit it.</source>
         <translation>Como el camino tiene las dos pasadas; arrastre la posterior, o pulse Ajustar.</translation>
+    </message>
+    <message>
+        <source>The earlier scan has to come before the other.</source>
+        <translation>El barrido anterior tiene que venir antes que el otro.</translation>
+    </message>
+    <message>
+        <source>Scan %1. Now click the other passage.</source>
+        <translation>Barrido %1. Ahora pulse la otra pasada.</translation>
+    </message>
+    <message>
+        <source>All places (%1)</source>
+        <translation>Todos los lugares (%1)</translation>
+    </message>
+    <message>
+        <source>Closed loops (%1)</source>
+        <translation>Bucles cerrados (%1)</translation>
+    </message>
+    <message>
+        <source>Refused (%1)</source>
+        <translation>Rechazados (%1)</translation>
     </message>
 </context>
 <context>

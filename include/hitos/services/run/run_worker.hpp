@@ -127,8 +127,9 @@ class RunWorker {
     /// checkpoint, or from the beginning where the options ask for none.
     void seek(std::uint64_t steps);
     /// Other changes by hand of the graph (RegistrationParams::edits): the run goes back to before
-    /// the first scan that they touch, and on to where it was. What was published before is
-    /// forgotten. Throws ConfigError where they are none.
+    /// the first scan that they touch, and as fast as possible to where it was, or was sent to by
+    /// seek(), and rests there. What was published before is forgotten. A failed run begins anew.
+    /// Throws ConfigError where they are none.
     void set_edits(const std::string& edits);
     /// Blocks until nothing is left to do (end, failure, pause, steps done).
     void wait();
@@ -200,7 +201,9 @@ class RunWorker {
     std::optional<PositionError> error_;  // up to the last of figures_
     bool restart_wanted_ = false;
     std::optional<std::uint64_t> seek_wanted_;
+    std::uint64_t seek_target_ = 0;  // of the last seek
     std::optional<std::string> edits_wanted_;
+    std::uint64_t edit_target_ = 0;  // where the run goes to with them
     std::chrono::steady_clock::time_point seek_began_;
     std::optional<SnapshotParts> snapshot_wanted_;
     bool busy_ = false;

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "hitos/base/error.hpp"
+#include "hitos/registration/graph_edit.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "support.hpp"
 
@@ -100,6 +101,22 @@ TEST(ArchivoConfiguracion, TextReadsBackToTheLastBit) {
         const Configuracion back = ArchivoConfiguracion::parse(text, "x");
         expect_equal(back, c);
         EXPECT_EQ(ArchivoConfiguracion::to_text(back), text);
+    }
+}
+
+TEST(ArchivoConfiguracion, ChangesByHandReadBackWhateverTheirCommentsHold) {
+    const TempFolder folder;
+    for (const char* comment : {"plain", R"(a """ b)", R"(C:\temp\new)", R"(ends \)", "tab\there",
+                                "# and ; more", "ñ→𝄞", "'''"}) {
+        const std::string edits = std::string("slip 55 # ") + comment + "\nslip 60\n";
+        const auto file = folder.put("edits.toml", ArchivoConfiguracion::edits_text("Why", edits));
+        EXPECT_EQ(text_of(parse_graph_edits(ArchivoConfiguracion::read_edits(file))),
+                  text_of(parse_graph_edits(edits)))
+            << comment;
+        Configuracion c;
+        c.registration.edits = edits;
+        const std::string text = ArchivoConfiguracion::to_text(c);
+        EXPECT_EQ(ArchivoConfiguracion::parse(text, "x").registration.edits, edits);
     }
 }
 

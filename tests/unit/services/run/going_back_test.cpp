@@ -185,6 +185,27 @@ TEST(RunWorker, ChangesByHandGiveWhatTheyGiveFromTheBeginning) {
         expect_same_state(worker, *plain);
         EXPECT_THROW(worker.set_edits("open 3"), ConfigError);
         expect_same_state(worker, *plain);
+        // A run that failed by them is mended by others.
+        worker.set_edits("slip 999999");
+        worker.wait();
+        EXPECT_EQ(worker.progress().state, State::failed);
+        worker.set_edits("slip 700");
+        worker.wait();
+        EXPECT_EQ(worker.progress().state, State::finished);
+        expect_same_state(worker, *run_with(configuration, "slip 700"));
+        // On the way elsewhere it goes on to there; a pause is a pause.
+        worker.seek(500);
+        worker.set_edits("");
+        worker.wait();
+        EXPECT_EQ(worker.progress().steps, 500U);
+        EXPECT_EQ(worker.progress().state, State::paused);
+        for (int i = 0; i < 20; ++i) {
+            worker.set_edits(i % 2 == 0 ? refused : "");
+            worker.pause();
+            worker.wait();
+            EXPECT_EQ(worker.progress().state, State::paused);
+            EXPECT_LE(worker.progress().steps, 500U);
+        }
         // What was wanted counts for a run that begins anew too.
         worker.set_edits(refused);
         worker.restart();
