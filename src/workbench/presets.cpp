@@ -71,10 +71,13 @@ Configuracion preset_configuration(std::string_view word) {
 
 std::string_view suited_preset(const std::string& source) {
     if (is_world_file(source)) return kWorldPreset;
+    if (source.empty()) return {};
     try {
         const LogFormat* format = recording_format(source);
         if (format == nullptr) format = &open_log(source)->format();
         if (format->of_robots) return kRobotPreset;
+    } catch (const FileError&) {
+        throw;  // else one that is read the next time is run with other values, and nobody is told
     } catch (const Error&) {  // whoever opens it is told
     }
     return {};

@@ -209,9 +209,12 @@ TEST_F(ResultsFolder, IsWholeWhereARequestTakesTooLong) {
     // slow the machine, some request falls into a step that takes longer than its patience.
     for (const char* out : {"out", "fresh"}) {
         Outcome ended;
-        for (int delay = 0;
-             delay < 40 && ended.output.find("ended before all was written") == std::string::npos;
-             ++delay) {
+        // One that falls behind the exchange finds the new results there, which are whole too.
+        const auto cut_short = [&] {
+            return ended.output.find("ended before all was written") != std::string::npos &&
+                   seed_there() == 1 && !std::filesystem::exists(path("fresh"));
+        };
+        for (int delay = 0; delay < 40 && !cut_short(); ++delay) {
             std::filesystem::remove_all(path("fresh"));
             ASSERT_EQ(shell(run(1)).status, 0);
             ended = shell(
@@ -222,10 +225,8 @@ TEST_F(ResultsFolder, IsWholeWhereARequestTakesTooLong) {
             ASSERT_NE(ended.output.find("status 143"), std::string::npos) << ended.output;
             ASSERT_EQ(shell(verify()).status, 0);
         }
-        EXPECT_NE(ended.output.find("ended before all was written"), std::string::npos)
-            << ended.output;
+        EXPECT_TRUE(cut_short()) << ended.output;
         EXPECT_EQ(left(), std::vector<std::string>());
-        EXPECT_EQ(seed_there(), 1);
     }
 }
 

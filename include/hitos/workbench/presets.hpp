@@ -31,12 +31,12 @@ inline constexpr std::string_view kWorldPreset = "simulated";
 inline constexpr std::string_view kRobotPreset = "recorded";
 
 /// The preset of a world file, or of a log or recording whose beginning is of a format that robots
-/// write. Empty where the source is another log, or cannot be read, which whoever opens it is told:
-/// the defaults.
+/// write. Empty where the source is another log, or is none, which whoever opens it is told: the
+/// defaults. Throws FileError where it cannot be read.
 std::string_view suited_preset(const std::string& source);
 
 /// The parameters of the suited preset, else the defaults; they name no source. Throws FileError
-/// where the preset's file did not come with the program.
+/// where the source cannot be read, or the preset's file did not come with the program.
 Configuracion suited_configuration(const std::string& source);
 
 /// "simulated, thesis, …", for help texts and messages.

@@ -54,11 +54,13 @@ TEST(Presets, TheSourceDecidesWhereNobodyChooses) {
         EXPECT_EQ(suited_preset(root + '/' + log), "recorded") << log;
     }
     for (const char* log : {"data/logs/player-laser.log.gz", "data/logs/player-ranger.log.gz",
-                            "data/logs/normalized.log.gz", "data/bigloop.log.gz", "data/none.log",
-                            "README.md", "data/maps/bigloop.map"}) {
+                            "data/logs/normalized.log.gz", "data/bigloop.log.gz", "README.md",
+                            "data/maps/bigloop.map"}) {
         EXPECT_EQ(suited_preset(root + '/' + log), "") << log;
     }
     EXPECT_EQ(suited_preset(""), "");
+    // Else one that cannot be read just now is run with other values.
+    EXPECT_THROW(static_cast<void>(suited_preset("data/none.log")), FileError);
 }
 
 TEST(Presets, TheSuitedParametersNameNoSource) {
