@@ -45,7 +45,8 @@ GraphEdit edit_of(std::string_view text, std::size_t number) {
                                         "found %1; expected \"refuse SCAN EARLIER\", \"close SCAN "
                                         "EARLIER X Y THETA\", \"fix SCAN X Y THETA\" or \"slip "
                                         "SCAN\", scans counted from 1, as SCAN@STAMP where the "
-                                        "stamp is to be held, X and Y in metres, THETA in rad"),
+                                        "stamp is to be held, X and Y in metres, THETA in rad "
+                                        "from -2 pi to 2 pi"),
                              input::in_quotes(text)));
     };
     const std::vector<std::string_view> words = input::fields(text);

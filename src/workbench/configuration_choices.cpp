@@ -1,10 +1,12 @@
 #include "hitos/workbench/configuration_choices.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/capture/scan_clock.hpp"
+#include "hitos/registration/graph_edit.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/slam/filters.hpp"
@@ -16,6 +18,16 @@ void choose_values(Configuracion& configuration, const ValueChoices& choices) {
         set_parameter(configuration, assignment);
     }
     if (!choices.edits.empty()) {
+        const auto is_edits = [](const std::string& assignment) {
+            return assignment.starts_with(kGraphEditsKey);
+        };
+        if (std::ranges::any_of(choices.assignments, is_edits)) {
+            throw ConfigError("--edits",
+                              HITOS_TEXT("Errors",
+                                         "--set %1 names other changes; give one of "
+                                         "them"),
+                              kGraphEditsKey);
+        }
         configuration.registration.edits = ArchivoConfiguracion::read_edits(choices.edits);
     }
     for (const std::string& assignment : choices.world_assignments) {

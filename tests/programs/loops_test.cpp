@@ -158,6 +158,15 @@ TEST_F(LoopsTest, ChangesThatDoNotFitAreRefusedWithTheReason) {
     EXPECT_THAT(said("--set 'registration.edits=slip 99999'"), HasSubstr("it names scan 99999"));
     EXPECT_THAT(said("--edits " + file("none.toml", "[registration]\nedits = \"# none\"\n")),
                 HasSubstr("has no change by hand"));
+    EXPECT_THAT(said("--edits " + file("slip.toml", "[registration]\nedits = \"slip 3\"\n") +
+                     " --set 'registration.edits=slip 4'"),
+                HasSubstr("give one of them"));
+    // One that lies on nothing is closed, and told.
+    const test::Outcome absurd = run("absurd", "--set 'registration.edits=close 400 20 50 0 0'");
+    EXPECT_EQ(absurd.status, 0);
+    EXPECT_THAT(absurd.output, HasSubstr("lie on hardly anything that the earlier passage saw "
+                                         "(scan 400)"));
+    EXPECT_THAT(absurd.output, HasSubstr("by hand 1 closed and 0 refused"));
     // What meets nothing changes nothing, and is told.
     const test::Outcome told = run("unmet", "--set 'registration.edits=refuse 200 3'");
     EXPECT_EQ(told.status, 0);

@@ -198,6 +198,7 @@ void evaluate_loops(const EvaluateOptions& options, Report& report) {
     report.count("loops_judged", precision.judged);
     report.count("loops_false", precision.wrong);
     report.figure("worst_loop_m", precision.worst_m, 6);
+    report.figure("worst_loop_rad", precision.worst_rad, 6);
     if (!options.out.empty()) write_file(out_file(options, "loops.csv"), loops_csv(loops));
 }
 

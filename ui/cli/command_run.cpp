@@ -92,10 +92,17 @@ void tell_summary(const RunSummary& summary, const std::string& folder, const Re
                    figures->scans - figures->unmatched, plural(figures->scans, "scan"),
                    plural(static_cast<std::uint64_t>(closed), "loop"),
                    figures->largest_correction_m);
+        const auto by_hand = std::ranges::count_if(
+            summary.quality.loops, [](const RunLoop& loop) { return loop.record.by_hand; });
+        const auto refused =
+            std::ranges::count(summary.quality.loops, LoopVerdict::by_hand,
+                               [](const RunLoop& loop) { return loop.record.verdict; });
+        if (by_hand + refused > 0)
+            report.say("  by hand {} closed and {} refused\n", by_hand, refused);
         if (const LoopPrecision precision = precision_of(summary.quality.loops);
             precision.judged > 0) {
-            report.say("  {} of {} of them false, the worst {:.2f} m from the reference\n",
-                       precision.wrong, precision.judged, precision.worst_m);
+            report.say("  {} of {} of them false, the worst {:.2f} m and {:.2f} rad off\n",
+                       precision.wrong, precision.judged, precision.worst_m, precision.worst_rad);
         }
     }
     if (summary.quality.findings) {

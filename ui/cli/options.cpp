@@ -255,7 +255,9 @@ Configuracion load(const ConfigurationOptions& options, std::string_view suited)
     } else if (!suited.empty()) {
         configuration = preset_configuration(suited);
     }
-    choose_values(configuration, options.values);
+    ValueChoices values = options.values;
+    if (!values.edits.empty()) values.edits = input_named(values.edits, "--edits");
+    choose_values(configuration, values);
     return configuration;
 }
 

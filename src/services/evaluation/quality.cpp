@@ -29,6 +29,7 @@ constexpr double kBlurrier = 1.05;          // than the odometry's map
 constexpr double kSamePath = 0.10;          // [m], two cells
 constexpr double kSameHeading = 0.02;       // [rad], 10 cm at 5 m
 constexpr double kLongWithoutLoop = 100.0;  // [m]
+constexpr double kFitsByHand = 0.3;         // score
 constexpr double kLargeCorrection = 5.0;    // [m]; of six recorded tours the largest is 4.1
 constexpr double kLongEnough = 10.0;        // [m] for a scale
 constexpr double kScaleOff = 1.15;
@@ -198,6 +199,17 @@ void warn_of_registration(const Registration& registration, const Trajectory& od
     }
     const DrivenBy driven = driven_by(registration, odometry);
     warn_of_scale(driven, warnings);
+    std::vector<std::uint64_t> misfits;
+    for (const LoopRecord& loop : registration.loops())
+        if (loop.by_hand && loop.score < kFitsByHand) misfits.push_back(loop.scan);
+    if (!misfits.empty()) {
+        warn(warnings,
+             HITOS_TEXT("Advice",
+                        "Loops that were closed by hand lie on hardly anything that the earlier "
+                        "passage saw (scan %1): is the pose in metres and radians, and of the "
+                        "later scan seen from the earlier one?"),
+             counted(misfits));
+    }
     if (!figures.edits_unmet.empty()) {
         warn(warnings,
              HITOS_TEXT("Advice",

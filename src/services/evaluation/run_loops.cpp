@@ -56,6 +56,7 @@ LoopPrecision precision_of(std::span<const RunLoop> loops) {
         ++precision.judged;
         if (loop.is_false()) ++precision.wrong;
         precision.worst_m = std::max(precision.worst_m, *loop.error_m);
+        precision.worst_rad = std::max(precision.worst_rad, loop.error_rad.value_or(0.0));
     }
     return precision;
 }
@@ -71,7 +72,7 @@ std::string loops_csv(std::span<const RunLoop> loops) {
                                  "way_m",        "score",          "overlap",
                                  "seen_through", "chi_square",     "chi_square_limit",
                                  "move_m",       "weight",         "error_m",
-                                 "error_rad",    "reason"});
+                                 "error_rad",    "by_hand",        "reason"});
     for (const RunLoop& loop : loops) {
         const LoopRecord& record = loop.record;
         const Pose& seen = record.pose_earlier_scan;
@@ -97,6 +98,7 @@ std::string loops_csv(std::span<const RunLoop> loops) {
                           number(record.weight),
                           number(loop.error_m),
                           number(loop.error_rad),
+                          record.by_hand ? "yes" : "",
                           reason_of(record).english()});
     }
     return text;

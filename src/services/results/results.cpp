@@ -81,6 +81,7 @@ ordered_json json_of(const RunQuality& quality) {
             json["loops_judged"] = precision.judged;
             json["loops_false"] = precision.wrong;
             json["worst_loop_m"] = precision.worst_m;
+            json["worst_loop_rad"] = precision.worst_rad;
         }
     }
     json["warnings"] = ordered_json::array();

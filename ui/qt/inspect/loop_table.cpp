@@ -394,6 +394,8 @@ void LoopTable::show_chosen() {
     const auto snapshot = session_.snapshot();
     const bool found_it = found != loops_.end();
     if (found_it) chosen_ = *found;
+    // One that was closed and is no more is a proposal again.
+    if (!found_it && proposed_ && chosen_) chosen_->record.verdict = LoopVerdict::alone;
     const bool shown =
         found_it || (proposed_ && chosen_ && snapshot && chosen_->record.scan < snapshot->steps);
     // It may be one that the table does not list.
@@ -436,7 +438,10 @@ void LoopTable::show_reason() {
     if (!change_->isEnabled()) {
         reason_->clear();
     } else if (measured_) {
-        reason_->setText(tr("Fitted: %1.").arg(measured_words(*measured_)));
+        constexpr double kFits = 0.3;
+        const QString words =
+            measured_->score < kFits ? tr("It fits nothing here: %1.") : tr("Fitted: %1.");
+        reason_->setText(words.arg(measured_words(*measured_)));
     } else if (view_->laid_by_hand()) {
         reason_->setText(tr("Laid by hand; Fit lays it on the walls."));
     } else if (proposed_ && found_in(loops_, *chosen_) == loops_.end()) {

@@ -83,6 +83,10 @@
         <source>Changes by hand (%1) are of the graph of key scans; with these parameters there is none, and they change nothing.</source>
         <translation>Los cambios a mano (%1) son del grafo de barridos clave; con estos parámetros no lo hay, y no cambian nada.</translation>
     </message>
+    <message>
+        <source>Loops that were closed by hand lie on hardly anything that the earlier passage saw (scan %1): is the pose in metres and radians, and of the later scan seen from the earlier one?</source>
+        <translation>Hay bucles cerrados a mano que no caen sobre casi nada de lo que vio la pasada anterior (barrido %1): ¿está la pose en metros y radianes, y es la del barrido posterior vista desde el anterior?</translation>
+    </message>
 </context>
 <context>
     <name>Associations</name>
@@ -2895,10 +2899,6 @@
         <translation>cambio %1: %2</translation>
     </message>
     <message>
-        <source>found %1; expected &quot;refuse SCAN EARLIER&quot;, &quot;close SCAN EARLIER X Y THETA&quot;, &quot;fix SCAN X Y THETA&quot; or &quot;slip SCAN&quot;, scans counted from 1, as SCAN@STAMP where the stamp is to be held, X and Y in metres, THETA in rad</source>
-        <translation>hay %1; se esperaba «refuse SCAN EARLIER», «close SCAN EARLIER X Y THETA», «fix SCAN X Y THETA» o «slip SCAN», con los barridos contados desde 1, como SCAN@STAMP donde la marca de tiempo deba coincidir, X e Y en metros y THETA en rad</translation>
-    </message>
-    <message>
         <source>found more than %1 changes</source>
         <translation>hay más de %1 cambios</translation>
     </message>
@@ -2977,6 +2977,14 @@
     <message>
         <source>has no change by hand; expected %1 with at least one</source>
         <translation>no tiene ningún cambio a mano; se esperaba %1 con uno al menos</translation>
+    </message>
+    <message>
+        <source>found %1; expected &quot;refuse SCAN EARLIER&quot;, &quot;close SCAN EARLIER X Y THETA&quot;, &quot;fix SCAN X Y THETA&quot; or &quot;slip SCAN&quot;, scans counted from 1, as SCAN@STAMP where the stamp is to be held, X and Y in metres, THETA in rad from -2 pi to 2 pi</source>
+        <translation>hay %1; se esperaba «refuse SCAN EARLIER», «close SCAN EARLIER X Y THETA», «fix SCAN X Y THETA» o «slip SCAN», con los barridos contados desde 1, como SCAN@STAMP donde la marca de tiempo deba coincidir, X e Y en metros y THETA en rad de -2 pi a 2 pi</translation>
+    </message>
+    <message>
+        <source>--set %1 names other changes; give one of them</source>
+        <translation>--set %1 nombra otros cambios; dé uno de los dos</translation>
     </message>
 </context>
 <context>
@@ -6301,6 +6309,10 @@
     <message>
         <source>Refused (%1)</source>
         <translation>Rechazados (%1)</translation>
+    </message>
+    <message>
+        <source>It fits nothing here: %1.</source>
+        <translation>Aquí no encaja con nada: %1.</translation>
     </message>
 </context>
 <context>

@@ -43,6 +43,7 @@ struct LoopPrecision {
     std::uint64_t judged = 0;  ///< of which the reference tells
     std::uint64_t wrong = 0;   ///< of these
     double worst_m = 0.0;
+    double worst_rad = 0.0;
 };
 LoopPrecision precision_of(std::span<const RunLoop> loops);
 
