@@ -55,13 +55,14 @@ bool read_summary(const std::filesystem::path& folder, KeptRun& run) {
         run.seconds = summary.at("run_seconds").get<double>();
         run.figures = figures_in(summary);
         expect_unchanged(summary, folder);
+        const nlohmann::json& counts = summary.at("landmarks");
+        const bool landmarks = whole_number<int>(counts, "lines", file) > 0 ||
+                               whole_number<int>(counts, "corners", file) > 0;
         run.path = read_trajectory(folder / "trajectory.tum");
         if (summary.contains("quality")) {
             run.loops = read_loops(summary.at("quality"), run.path, file);
         }
-        const nlohmann::json& counts = summary.at("landmarks");
-        return whole_number<int>(counts, "lines", file) > 0 ||
-               whole_number<int>(counts, "corners", file) > 0;
+        return landmarks;
     });
 }
 
