@@ -216,7 +216,7 @@ std::string toml_string(const ConfigParameter& parameter, std::string_view text)
             input::in_quotes(text));
     }
     const bool lines = text.find('\n') != std::string_view::npos;
-    return lines ? "\"\"\"\n" + escaped(text) + "\"\"\"" : '"' + escaped(text) + '"';
+    return lines ? fmt::format("{0}\n{1}{0}", R"(""")", escaped(text)) : '"' + escaped(text) + '"';
 }
 
 std::string toml_value(const ConfigParameter& parameter, const Configuracion& configuration) {
