@@ -24,6 +24,15 @@ EdgeError edge_error(const PoseEdge& edge, const Pose& from, const Pose& to) {
     return error;
 }
 
+double greatest_move(std::span<const KeyPose> before, std::span<const KeyPose> after) {
+    double greatest = 0.0;
+    for (std::size_t k = 0; k < before.size(); ++k) {
+        greatest = std::max(greatest, std::hypot(after[k].pose.x - before[k].pose.x,
+                                                 after[k].pose.y - before[k].pose.y));
+    }
+    return greatest;
+}
+
 PoseGraphSolver::PoseGraphSolver(std::size_t keys, std::span<const PoseEdge> edges)
     : edges_(edges) {
     for (std::size_t i = 0; i < keys; ++i) equations_.add_variable(3);
@@ -93,12 +102,7 @@ double PoseGraphSolver::solve(std::vector<KeyPose>& keys, const GraphSolution& h
         if (greatest < kStill) break;
         factored = greatest >= kSmall;
     }
-    double moved = 0.0;
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        moved = std::max(moved, std::hypot(keys[i].pose.x - before[i].pose.x,
-                                           keys[i].pose.y - before[i].pose.y));
-    }
-    return moved;
+    return greatest_move(before, keys);
 }
 
 double solve(std::vector<KeyPose>& keys, std::span<const PoseEdge> edges,

@@ -5,7 +5,6 @@
 #include <map>
 #include <utility>
 
-#include "hitos/base/error.hpp"
 #include "hitos/registration/odometry_step.hpp"
 #include "hitos/registration/pose_algebra.hpp"
 #include "hitos/registration/pose_graph_solver.hpp"
@@ -25,15 +24,6 @@ constexpr double kOldKeysWay = 6.0;    // [m] along the graph, of old keys in th
 constexpr std::size_t kLoopEvery = 2;  // keys
 constexpr double kKeySlip = 0.01;      // [m] added to a key's standard deviation
 constexpr double kKeySlipRad = 0.002;  // [rad]
-
-double greatest_move(std::span<const KeyPose> before, std::span<const KeyPose> after) {
-    double greatest = 0.0;
-    for (std::size_t k = 0; k < before.size(); ++k) {
-        greatest = std::max(greatest, std::hypot(after[k].pose.x - before[k].pose.x,
-                                                 after[k].pose.y - before[k].pose.y));
-    }
-    return greatest;
-}
 
 }  // namespace
 
@@ -60,13 +50,13 @@ RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control
     const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
     placed_.push_back({newest, between(graph_.poses[newest].pose, now_)});
     if (out.key) {
-        const std::vector<KeyPose> before = graph_.poses;
-        bool corrected = !editor_.empty() && edit_graph();
+        std::vector<KeyPose> before;  // of the first that moves the graph; empty: nothing has
+        edit_graph(before);
         if (params_.loops && newest > static_cast<std::uint32_t>(params_.key_scans) &&
             newest % kLoopEvery == 0) {
-            corrected = close_loop() || corrected;
+            close_loop(before);
         }
-        if (corrected) correct(before);
+        if (!before.empty()) correct(before);
     }
     out.keys = graph_.poses;
     out.edges = graph_.edges;
@@ -189,76 +179,26 @@ void Registration::Impl::add_key(std::uint64_t scan) {
     map_stale_ = true;
 }
 
-/// Whether the graph has moved.
-bool Registration::Impl::close_loop() {
+/// `before` takes the keys as they were where it moves the graph and nothing has before.
+void Registration::Impl::close_loop(std::vector<KeyPose>& before) {
     const std::size_t newest = graph_.size() - 1;
     graph_.reach(newest, reached_);
     const auto found = closer_.search(graph_, reached_, refused_);
-    if (!found) return false;
+    if (!found) return;
     LoopRecord record = found->record;
-    const std::vector<KeyPose> before = graph_.poses;
+    std::vector<KeyPose> now = graph_.poses;
     record.refused_from = editor_.refuses(graph_, *found);
     record.verdict = record.refused_from ? LoopVerdict::by_hand : close(*found, record);
     closer_.forget();
     if (record.verdict != LoopVerdict::closed) {
-        graph_.poses = before;
+        graph_.poses = std::move(now);
         refused_.push_back(record);
-        return false;
+        return;
     }
-    record.move_m = greatest_move(before, graph_.poses);
+    record.move_m = greatest_move(now, graph_.poses);
     figures_.largest_correction_m = std::max(figures_.largest_correction_m, record.move_m);
     loops_.push_back(record);
-    return true;
-}
-
-/// What somebody says of the newest key. Whether the graph has moved.
-bool Registration::Impl::edit_graph() {
-    // As sure as an eye lays passages on each other, and as one is of a place that is known.
-    const Eigen::Vector3d by_eye(0.05, 0.05, 0.01);  // [m, m, rad]
-    const Eigen::Vector3d known(0.01, 0.01, 0.002);
-    const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
-    const std::vector<KeyPose> before = graph_.poses;
-    const std::size_t first_edge = graph_.edges.size();
-    const std::size_t first_loop = loops_.size();
-    const auto hold = [&](std::uint32_t from, const Pose& z, const Eigen::Vector3d& sigmas) {
-        const Eigen::Vector3d information = sigmas.cwiseAbs2().cwiseInverse();
-        graph_.edges.push_back(
-            {from, newest, z, information.asDiagonal().toDenseMatrix(), EdgeKind::by_hand});
-    };
-    for (const GraphEdit& edit : editor_.of_newest(graph_)) {
-        if (edit.kind == GraphEdit::Kind::fix) {
-            hold(0, between(graph_.poses.front().pose, edit.pose), known);
-            continue;
-        }
-        const auto earlier = static_cast<std::uint32_t>(
-            std::ranges::lower_bound(graph_.poses, edit.earlier.scan, {}, &KeyPose::scan) -
-            graph_.poses.begin());
-        LoopRecord record;
-        record.scan = edit.scan.scan;
-        record.earlier = edit.earlier.scan;
-        record.pose_earlier_scan = edit.pose;
-        record.way_m = graph_.scans[newest].travelled_m - graph_.scans[earlier].travelled_m;
-        record.by_hand = true;
-        closer_.measure(graph_, newest, earlier, record);
-        loops_.push_back(record);
-        hold(earlier, edit.pose, by_eye);
-        graph_.join(earlier, newest);
-    }
-    if (graph_.edges.size() == first_edge) return false;
-    PoseGraphSolver solver(graph_.size(), graph_.edges);
-    solver.solve(graph_.poses, {6, false}, first_edge);
-    const double tension_before = tension(std::span(graph_.edges).first(first_edge));
-    solver.solve(graph_.poses, {6, false});
-    const double bent = tension(graph_.edges) - tension_before;
-    solver.solve(graph_.poses, {6, true});
-    const double move_m = greatest_move(before, graph_.poses);
-    for (LoopRecord& loop : std::span(loops_).subspan(first_loop)) {
-        loop.chi_square = bent;
-        loop.move_m = move_m;
-    }
-    figures_.largest_correction_m = std::max(figures_.largest_correction_m, move_m);
-    closer_.forget();
-    return true;
+    if (before.empty()) before = std::move(now);
 }
 
 /// Puts its edges into the graph and solves it. Of what is not closed no edge stays.
@@ -373,27 +313,6 @@ void Registration::Impl::weigh_loops() {
         const Weights& weights = by_scan[loop.scan];
         loop.weight = weights.sum / std::max(1, weights.edges);
     }
-}
-
-LoopRecord Registration::Impl::fitted_loop(std::uint64_t scan, std::uint64_t earlier,
-                                           const Pose& start) const {
-    const auto key_of = [&](std::uint64_t number) {
-        const auto key = std::ranges::find(graph_.poses, number, &KeyPose::scan);
-        if (key == graph_.poses.end()) {
-            throw Error(message(HITOS_TEXT("Errors", "scan %1 is no key scan"), number + 1));
-        }
-        return static_cast<std::uint32_t>(key - graph_.poses.begin());
-    };
-    LoopRecord record;
-    record.scan = scan;
-    record.earlier = earlier;
-    record.pose_earlier_scan = start;
-    LoopCloser closer = closer_;
-    const std::uint32_t later_key = key_of(scan);
-    const std::uint32_t earlier_key = key_of(earlier);
-    record.way_m = graph_.scans[later_key].travelled_m - graph_.scans[earlier_key].travelled_m;
-    closer.fit(graph_, later_key, earlier_key, record);
-    return record;
 }
 
 std::vector<Pose> Registration::Impl::path() const {

@@ -66,9 +66,9 @@ class Registration::Impl {
     void refresh_map(const Pose& about);
     bool key_due() const;
     void add_key(std::uint64_t scan);
-    bool close_loop();
+    void close_loop(std::vector<KeyPose>& before);
     LoopVerdict close(const LoopFound& found, LoopRecord& record);
-    bool edit_graph();
+    void edit_graph(std::vector<KeyPose>& before);
     void weigh_loops();
     double tension(std::span<const PoseEdge> edges) const;
     double squared_distance(const PoseEdge& edge) const;

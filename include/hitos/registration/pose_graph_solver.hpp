@@ -30,6 +30,9 @@ inline double edge_loss(const PoseEdge& edge, double mahalanobis_squared) {
     return edge.kind == EdgeKind::by_hand ? mahalanobis_squared : robust_loss(mahalanobis_squared);
 }
 
+/// The furthest that a key has moved [m].
+double greatest_move(std::span<const KeyPose> before, std::span<const KeyPose> after);
+
 /// How a graph is solved.
 struct GraphSolution {
     int iterations = 10;  ///< with a factorisation of their own
