@@ -128,64 +128,197 @@ int CorrelationMap::sum(std::span<const Cell> cells, int x, int y, int level, in
     return sum;
 }
 
+namespace {
+
+/// Of the squares of a window those that come near some positions.
+class Mask {
+  public:
+    static constexpr int kFinest = 3;  // level
+
+    /// All of the window where there are no positions.
+    Mask(const Pose& centre, int reach, int levels, std::span<const Point2> positions,
+         double within_m) {
+        if (positions.empty()) return;
+        const double side = CorrelationMap::kCell * (1 << kFinest);
+        const auto cells = [&](double m) { return static_cast<int>(std::floor(m / side)); };
+        columns_ = ((2 * reach) >> kFinest) + 1;
+        levels_.assign(static_cast<std::size_t>(std::max(1, levels - kFinest + 1)), {});
+        levels_.front().assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(columns_), false);
+        const double low = reach * CorrelationMap::kCell;
+        for (const Point2& at : positions) {
+            const double x = at.x - centre.x + low;
+            const double y = at.y - centre.y + low;
+            for (int i = std::max(0, cells(x - within_m)); i <= std::min(columns_ - 1, cells(x + within_m)); ++i) {
+                for (int j = std::max(0, cells(y - within_m)); j <= std::min(columns_ - 1, cells(y + within_m)); ++j) {
+                    levels_.front()[place(i, j, 0)] = true;
+                }
+            }
+        }
+        for (std::size_t level = 1; level < levels_.size(); ++level) {
+            const int side_cells = width(level);
+            levels_[level].assign(static_cast<std::size_t>(side_cells) * static_cast<std::size_t>(side_cells), false);
+            for (int i = 0; i < width(level - 1); ++i) {
+                for (int j = 0; j < width(level - 1); ++j) {
+                    if (levels_[level - 1][place(i, j, level - 1)]) levels_[level][place(i / 2, j / 2, level)] = true;
+                }
+            }
+        }
+    }
+
+    /// Whether a square, its corner counted from the window's, may hold a place.
+    bool holds(int x, int y, int level) const {
+        if (levels_.empty()) return true;
+        const int above = std::max(0, level - kFinest);
+        const int shift = above + kFinest;
+        return levels_[static_cast<std::size_t>(above)]
+                      [place(x >> shift, y >> shift, static_cast<std::size_t>(above))];
+    }
+
+  private:
+    int width(std::size_t level) const { return ((columns_ - 1) >> level) + 1; }
+    std::size_t place(int i, int j, std::size_t level) const {
+        return static_cast<std::size_t>(i) * static_cast<std::size_t>(width(level)) +
+               static_cast<std::size_t>(j);
+    }
+
+    int columns_ = 0;
+    std::vector<std::vector<bool>> levels_;  // from kFinest on
+};
+
+/// Squares of places, best first.
+class BestFirst {
+  public:
+    BestFirst(std::span<const SurfacePoint> points, const CorrelationMap& map, const Pose& centre,
+              const SearchWindow& window, double least_score,
+              std::span<const Point2> positions = {}, double within_m = 0.0)
+        : map_(map),
+          centre_(centre),
+          count_(static_cast<double>(points.size())),
+          reach_(static_cast<int>(std::ceil(window.position_m / CorrelationMap::kCell))),
+          mask_(centre, reach_, map.levels(), positions, within_m) {
+        double far = 1.0;
+        for (const SurfacePoint& p : points) {
+            far = std::max(far, std::hypot(static_cast<double>(p.x), static_cast<double>(p.y)));
+        }
+        // The furthest points that matter move about a cell from angle to angle.
+        angle_step_ = std::clamp(1.2 * CorrelationMap::kCell / std::min(far, 10.0), 0.012, 0.03);
+        angles_ = static_cast<int>(std::ceil(window.heading_rad / angle_step_));
+        least_ = static_cast<int>(least_score * kMost * count_);
+        turn(points);
+        const int width = 1 << map.levels();
+        for (int x = -reach_; x <= reach_; x += width) {
+            for (int y = -reach_; y <= reach_; y += width) {
+                if (!mask_.holds(x + reach_, y + reach_, map.levels())) continue;
+                for (int angle = -angles_; angle <= angles_; ++angle) {
+                    offer(angle, x, y, map.levels());
+                }
+            }
+        }
+    }
+
+    /// The next single place, after at most `most` squares opened in all; squares of which `passed`
+    /// is true are left out.
+    template <class Passed>
+    std::optional<Correlation> next(int most, const Passed& passed) {
+        for (; !open_.empty() && opened_ < most; ++opened_) {
+            const Square best = open_.top();
+            open_.pop();
+            if (passed(best)) continue;
+            if (best.level == 0) return Correlation{pose(best, 0.0), score(best)};
+            const int half = 1 << (best.level - 1);
+            for (const int x : {best.x, best.x + half}) {
+                for (const int y : {best.y, best.y + half}) offer(best.angle, x, y, best.level - 1);
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// Of a place of a square, `cells` from its corner.
+    Pose pose(const Square& square, double cells) const {
+        return {centre_.x + (square.x + cells) * CorrelationMap::kCell,
+                centre_.y + (square.y + cells) * CorrelationMap::kCell,
+                wrap_angle(centre_.theta + square.angle * angle_step_)};
+    }
+
+  private:
+    double score(const Square& square) const { return square.sum / (kMost * count_); }
+
+    void turn(std::span<const SurfacePoint> points) {
+        turned_.resize(2 * static_cast<std::size_t>(angles_) + 1);
+        for (int angle = -angles_; angle <= angles_; ++angle) {
+            const double c = std::cos(centre_.theta + angle * angle_step_);
+            const double s = std::sin(centre_.theta + angle * angle_step_);
+            const int place = angle + angles_;
+            auto& cells = turned_[static_cast<std::size_t>(place)];
+            cells.reserve(points.size());
+            for (const SurfacePoint& p : points) {
+                const auto x = static_cast<double>(p.x);
+                const auto y = static_cast<double>(p.y);
+                cells.push_back(map_.cell(centre_.x + c * x - s * y, centre_.y + s * x + c * y));
+            }
+        }
+    }
+    void offer(int angle, int x, int y, int level) {
+        if (x > reach_ || y > reach_) return;  // squares at the window's edge reach beyond it
+        if (!mask_.holds(x + reach_, y + reach_, level)) return;
+        const int place = angle + angles_;
+        const int sum = map_.sum(turned_[static_cast<std::size_t>(place)], x, y, level, least_);
+        if (sum >= least_) open_.push({sum, angle, x, y, level});
+    }
+
+    const CorrelationMap& map_;
+    Pose centre_;
+    double count_;
+    int reach_;
+    Mask mask_;
+    double angle_step_ = 0.0;
+    int angles_ = 0;
+    int least_ = 0;
+    int opened_ = 0;
+    std::vector<std::vector<CorrelationMap::Cell>> turned_;
+    std::priority_queue<Square> open_;
+};
+
+}  // namespace
+
 std::optional<Correlation> correlate(std::span<const SurfacePoint> points,
                                      const CorrelationMap& map, const Pose& centre,
                                      const SearchWindow& window, double least_score) {
     constexpr int kMostOpened = 20000;
     if (points.empty()) return std::nullopt;
-    double far = 1.0;
-    for (const SurfacePoint& p : points) {
-        far = std::max(far, std::hypot(static_cast<double>(p.x), static_cast<double>(p.y)));
-    }
-    // The furthest points that matter move about a cell from angle to angle.
-    const double angle_step =
-        std::clamp(1.2 * CorrelationMap::kCell / std::min(far, 10.0), 0.012, 0.03);
-    const int angles = static_cast<int>(std::ceil(window.heading_rad / angle_step));
-    const int reach = static_cast<int>(std::ceil(window.position_m / CorrelationMap::kCell));
+    return BestFirst(points, map, centre, window, least_score)
+        .next(kMostOpened, [](const Square&) { return false; });
+}
 
-    std::vector<std::vector<CorrelationMap::Cell>> turned(2 * static_cast<std::size_t>(angles) + 1);
-    for (int angle = -angles; angle <= angles; ++angle) {
-        const double c = std::cos(centre.theta + angle * angle_step);
-        const double s = std::sin(centre.theta + angle * angle_step);
-        const int place = angle + angles;
-        auto& cells = turned[static_cast<std::size_t>(place)];
-        cells.reserve(points.size());
-        for (const SurfacePoint& p : points) {
-            const auto x = static_cast<double>(p.x);
-            const auto y = static_cast<double>(p.y);
-            cells.push_back(map.cell(centre.x + c * x - s * y, centre.y + s * x + c * y));
-        }
-    }
-    const auto count = static_cast<double>(points.size());
-    const auto least = static_cast<int>(least_score * kMost * count);
-    std::priority_queue<Square> open;
-    const auto offer = [&](int angle, int x, int y, int level) {
-        if (x > reach || y > reach) return;  // squares at the window's edge reach beyond it
-        const int place = angle + angles;
-        const int sum = map.sum(turned[static_cast<std::size_t>(place)], x, y, level, least);
-        if (sum >= least) open.push({sum, angle, x, y, level});
+std::vector<Correlation> best_places(std::span<const SurfacePoint> points,
+                                     const CorrelationMap& map, std::span<const Point2> positions,
+                                     const PlacesWanted& wanted) {
+    constexpr int kMostOpened = 150000;
+    constexpr double kApart = 2.0;      // [m]
+    constexpr double kApartTurn = 0.5;  // [rad]
+    if (points.empty() || positions.empty()) return {};
+    Bounds bounds;
+    for (const Point2& at : positions) bounds.hold(at);
+    const Pose centre{0.5 * (bounds.low.x + bounds.high.x), 0.5 * (bounds.low.y + bounds.high.y), 0.0};
+    const double half_m = 0.5 * std::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
+    BestFirst search(points, map, centre, {half_m + wanted.within_m, kPi}, wanted.least_score, positions, wanted.within_m);
+    std::vector<Correlation> places;
+    const auto beside_one = [&](const Square& square) {
+        const double half = 0.5 * ((1 << square.level) - 1);
+        const Pose middle = search.pose(square, half);
+        return std::ranges::any_of(places, [&](const Correlation& place) {
+            return std::hypot(middle.x - place.pose.x, middle.y - place.pose.y) +
+                           1.5 * half * CorrelationMap::kCell <
+                       kApart &&
+                   std::abs(wrap_angle(middle.theta - place.pose.theta)) < kApartTurn;
+        });
     };
-    const int width = 1 << map.levels();
-    for (int angle = -angles; angle <= angles; ++angle) {
-        for (int x = -reach; x <= reach; x += width) {
-            for (int y = -reach; y <= reach; y += width) offer(angle, x, y, map.levels());
-        }
+    while (places.size() < wanted.most) {
+        const auto place = search.next(kMostOpened, beside_one);
+        if (!place || (!places.empty() && place->score < wanted.share * places.front().score)) break;
+        places.push_back(*place);
     }
-    for (int opened = 0; !open.empty() && opened < kMostOpened; ++opened) {
-        const Square best = open.top();
-        open.pop();
-        if (best.level == 0) {
-            return Correlation{{centre.x + best.x * CorrelationMap::kCell,
-                                centre.y + best.y * CorrelationMap::kCell,
-                                wrap_angle(centre.theta + best.angle * angle_step)},
-                               best.sum / (kMost * count)};
-        }
-        const int half = 1 << (best.level - 1);
-        for (const int x : {best.x, best.x + half}) {
-            for (const int y : {best.y, best.y + half}) offer(best.angle, x, y, best.level - 1);
-        }
-    }
-    return std::nullopt;
+    return places;
 }
 
 }  // namespace hitos

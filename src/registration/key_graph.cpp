@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <queue>
 #include <utility>
 
@@ -17,9 +18,25 @@ void KeyGraph::add(const KeyPose& pose, KeyScan scan) {
     joined_.emplace_back();
 }
 
+void KeyGraph::cut(std::size_t begin) {
+    cuts_.insert(std::ranges::upper_bound(cuts_, begin), begin);
+    const auto across = [&](std::size_t a, std::size_t b) { return (a < begin) != (b < begin); };
+    std::erase_if(edges, [&](const PoseEdge& edge) {
+        return edge.kind != EdgeKind::by_hand && across(edge.from, edge.to);
+    });
+    for (std::size_t key = 0; key < size(); ++key) {
+        std::erase_if(joined_[key], [&](std::uint32_t other) { return across(key, other); });
+    }
+}
+
 void KeyGraph::join(std::uint32_t a, std::uint32_t b) {
     joined_[a].push_back(b);
     joined_[b].push_back(a);
+}
+
+std::size_t KeyGraph::part_begin(std::size_t key) const {
+    const auto after = std::ranges::upper_bound(cuts_, key);
+    return after == cuts_.begin() ? 0 : *std::prev(after);
 }
 
 void KeyGraph::reach(std::size_t from, std::vector<GraphReach>& reached, double way_m) const {
@@ -31,6 +48,9 @@ void KeyGraph::reach(std::size_t from, std::vector<GraphReach>& reached, double 
     using Open = std::pair<double, std::uint32_t>;
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
     open.emplace(0.0, static_cast<std::uint32_t>(from));
+    const auto cut_before = [&](std::size_t key) {
+        return !cuts_.empty() && std::ranges::binary_search(cuts_, key);
+    };
     while (!open.empty()) {
         const double variance = open.top().first;
         const std::uint32_t i = open.top().second;
@@ -48,8 +68,8 @@ void KeyGraph::reach(std::size_t from, std::vector<GraphReach>& reached, double 
             go(j, scans[step].travelled_m - scans[step - 1].travelled_m, scans[step].variance_m2,
                scans[step].variance_rad2);
         };
-        if (i > 0) along(i, i - 1);
-        if (i + 1 < size()) along(i + 1, i + 1);
+        if (i > 0 && !cut_before(i)) along(i, i - 1);
+        if (i + 1 < size() && !cut_before(i + 1)) along(i + 1, i + 1);
         for (const std::uint32_t j : joined_[i]) {
             go(j, kJointWay, kJointVariance, kJointVarianceRad);
         }
@@ -81,7 +101,8 @@ void select_keys(const KeyGraph& graph, std::size_t end, const Pose& at, std::si
                  std::vector<std::uint32_t>& selected) {
     constexpr double kNear = 6.0;  // [m]
     selected.clear();
-    const std::size_t first_new = end > newest ? end - newest : 0;
+    const std::size_t begin = graph.part_begin(std::min(end, graph.size() - 1));
+    const std::size_t first_new = std::max(begin, end > newest ? end - newest : 0);
     for (std::size_t j = first_new; j < end; ++j) {
         selected.push_back(static_cast<std::uint32_t>(j));
     }

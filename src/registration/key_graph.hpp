@@ -1,6 +1,7 @@
 // The key scans of a tour with the edges between them, and how far they are from each other.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -47,12 +48,17 @@ class KeyGraph {
 
     std::size_t size() const { return poses.size(); }
     void add(const KeyPose& pose, KeyScan scan);
+    /// Cuts the tour before a key: no edge but those by hand stays between the keys before it and
+    /// the others, until one joins them.
+    void cut(std::size_t begin);
     /// That two keys of different passages saw the same walls.
     void join(std::uint32_t a, std::uint32_t b);
+    /// The first key of the part that a key belongs to.
+    std::size_t part_begin(std::size_t key) const;
 
     /// Of every key from key `from`, by the way of least variance: each step adds its own and what
     /// its heading does at the distance to `from`. Nothing beyond `way_m` along the graph is gone
-    /// on from.
+    /// on from, nor over a cut but where a loop joins both sides.
     void reach(std::size_t from, std::vector<GraphReach>& reached,
                double way_m = GraphReach::kNever) const;
 
@@ -66,10 +72,16 @@ class KeyGraph {
 
   private:
     std::vector<std::vector<std::uint32_t>> joined_;
+    std::vector<std::size_t> cuts_;  // ascending
 };
 
-/// Which keys make the map about `at`: the `newest` keys before `end`, and of older ones that
-/// `reached` says are less than `way_m` away along the graph the nearest ones, half as many.
+inline double distance_m(const Pose& a, const Pose& b) {
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+/// Which keys make the map about `at`: the `newest` keys before `end` of its part, and of older
+/// ones that `reached` says are less than `way_m` away along the graph the nearest ones, half as
+/// many.
 void select_keys(const KeyGraph& graph, std::size_t end, const Pose& at, std::size_t newest,
                  std::span<const GraphReach> reached, double way_m,
                  std::vector<std::uint32_t>& selected);

@@ -14,8 +14,6 @@ namespace {
 constexpr double kLeastWay = 15.0;        // [m] driven since; nearer is no loop
 constexpr double kGreatestWindow = 15.0;  // [m]
 constexpr double kGreatestTurn = 0.6;     // [rad]
-constexpr double kStretch = 5.0;          // [m] of travel, of the query and about the old key
-constexpr double kMemory = 12.0;          // [m] of travel, of what was found
 constexpr double kStretchHalf = 40.0;     // [m], of the stretch's map
 constexpr double kNearOutside = 3.0;      // [m] that a candidate may lie beyond the window
 
@@ -36,10 +34,6 @@ double window_rad(const GraphReach& reach) {
 bool passed(const KeyGraph& graph, std::span<const GraphReach> reached, std::size_t key) {
     return graph.scans.back().travelled_m - graph.scans[key].travelled_m >= kLeastWay &&
            reached[key].way_m >= kLeastWay;
-}
-
-double distance_m(const Pose& a, const Pose& b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
 }
 
 }  // namespace
@@ -121,19 +115,20 @@ std::optional<LoopCloser::Place> LoopCloser::far_off(const KeyGraph& graph,
     return best;
 }
 
-/// The points of the last metres up to a key.
-void LoopCloser::gather_query(const KeyGraph& graph, std::size_t newest) {
-    constexpr std::size_t kMostKeys = 16;
+/// The points of the last metres up to a key, in its frame; returns of how many keys they are.
+std::size_t LoopCloser::gather(const KeyGraph& graph, std::size_t newest, const Query& how,
+                               std::vector<SurfacePoint>& points) {
     constexpr double kFar = 20.0;   // [m]
     constexpr double kThin = 0.35;  // [m], side of the cells that keep one point each
     const Pose& now = graph.poses[newest].pose;
-    query_.clear();
-    query_keys_ = 0;
+    points.clear();
+    std::size_t keys = 0;
     std::unordered_set<std::int64_t> taken;  // asked only whether it holds a cell
-    for (std::size_t n = 0; n < std::min(kMostKeys, newest + 1); ++n) {
+    const std::size_t most = std::min(how.most_keys, newest + 1 - how.first_key);
+    for (std::size_t n = 0; n < most; ++n) {
         const std::size_t j = newest - n;
-        if (graph.scans[newest].travelled_m - graph.scans[j].travelled_m >= kStretch) break;
-        ++query_keys_;
+        if (graph.scans[newest].travelled_m - graph.scans[j].travelled_m >= how.way_m) break;
+        ++keys;
         const Pose pose = between(now, graph.poses[j].pose);
         const double c = std::cos(pose.theta);
         const double s = std::sin(pose.theta);
@@ -146,11 +141,24 @@ void LoopCloser::gather_query(const KeyGraph& graph, std::size_t newest) {
             if (!taken.insert(cell).second) continue;
             const auto nx = static_cast<double>(p.nx);
             const auto ny = static_cast<double>(p.ny);
-            query_.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
+            points.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
                               static_cast<float>(c * nx - s * ny),
                               static_cast<float>(s * nx + c * ny)});
         }
     }
+    return keys;
+}
+
+void LoopCloser::gather_query(const KeyGraph& graph, std::size_t newest) {
+    query_keys_ = gather(graph, newest, {kStretch, kQueryKeys, graph.part_begin(newest)}, query_);
+}
+
+/// Whether a former find says the same of where the newest key is.
+bool LoopCloser::says(const Found& found, const Pose& now, const Pose& then, double travelled_m) {
+    const Pose said = compose(found.move, now);
+    // What the odometry may have erred by in between.
+    return distance_m(said, then) < 0.4 + 0.01 * (travelled_m - found.travelled_m) &&
+           std::abs(wrap_angle(said.theta - then.theta)) < 0.06;
 }
 
 bool LoopCloser::agreed(const Pose& now, const Pose& then, double travelled_m, bool far) {
@@ -163,13 +171,9 @@ bool LoopCloser::agreed(const Pose& now, const Pose& then, double travelled_m, b
     for (const Found& found : found_) {
         const double ago = travelled_m - found.travelled_m;
         if (ago >= kMemory) continue;
-        const Pose said = compose(found.move, now);
-        // What the odometry may have erred by in between.
-        if (std::hypot(said.x - then.x, said.y - then.y) < 0.4 + 0.01 * ago &&
-            std::abs(wrap_angle(said.theta - then.theta)) < 0.06) {
-            ++agreeing;
-            span = std::max(span, ago);
-        }
+        if (!says(found, now, then, travelled_m)) continue;
+        ++agreeing;
+        span = std::max(span, ago);
     }
     found_.push_back({compose(then, inverse(now)), travelled_m, far});
     if (found_.size() > kMostKept) found_.pop_front();
@@ -215,13 +219,14 @@ std::vector<std::uint32_t> LoopCloser::stretch_about(const KeyGraph& graph, std:
     constexpr std::size_t kMostBefore = 15;
     constexpr std::size_t kMostKeys = 30;
     const double way_m = graph.scans[key].travelled_m;
+    const std::size_t begin = graph.part_begin(key);
     std::vector<std::uint32_t> keys;
-    for (std::size_t j = key + 1; j-- > 0 && keys.size() < kMostBefore;) {
+    for (std::size_t j = key + 1; j-- > begin && keys.size() < kMostBefore;) {
         if (way_m - graph.scans[j].travelled_m >= kStretch) break;
         keys.push_back(static_cast<std::uint32_t>(j));
     }
     for (std::size_t j = key + 1; j + 1 < graph.size() && keys.size() < kMostKeys; ++j) {
-        if (graph.scans[j].travelled_m - way_m >= kStretch) break;
+        if (graph.scans[j].travelled_m - way_m >= kStretch || graph.part_begin(j) != begin) break;
         keys.push_back(static_cast<std::uint32_t>(j));
     }
     return keys;
@@ -267,6 +272,16 @@ void LoopCloser::fit(const KeyGraph& graph, std::uint32_t key, std::uint32_t ear
     measure(graph, key, loop, map, record);
 }
 
+LoopRecord LoopCloser::record_of(const KeyGraph& graph, const LoopFound& loop) {
+    LoopRecord record;
+    const KeyPose& earlier = graph.poses[loop.key];
+    record.scan = graph.poses.back().scan;
+    record.earlier = earlier.scan;
+    record.pose_earlier_scan = between(earlier.pose, loop.pose);
+    record.way_m = graph.scans.back().travelled_m - graph.scans[loop.key].travelled_m;
+    return record;
+}
+
 std::optional<LoopFound> LoopCloser::look(const KeyGraph& graph, const std::optional<Place>& at,
                                           std::vector<LoopRecord>& refused) {
     constexpr std::size_t kFewestPoints = 40;
@@ -289,12 +304,8 @@ std::optional<LoopFound> LoopCloser::look(const KeyGraph& graph, const std::opti
     loop.pose = matcher_.fit(query_, map, correlated->pose, hardly_any, 25);
     const Linearization l = matcher_.linearize(query_, map, loop.pose, kFineStage);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> spread(l.h.topLeftCorner<2, 2>());
-    const KeyPose& earlier = graph.poses[place.key];
     LoopRecord& record = loop.record;
-    record.scan = graph.poses.back().scan;
-    record.earlier = earlier.scan;
-    record.pose_earlier_scan = between(earlier.pose, loop.pose);
-    record.way_m = graph.scans.back().travelled_m - graph.scans[place.key].travelled_m;
+    record = record_of(graph, loop);
     record.score = match_score(query_, map, loop.pose, 1);
     record.overlap = static_cast<double>(l.matches) / static_cast<double>(query_.size());
     if (record.score <= kLeastLoopScore) {
@@ -303,7 +314,7 @@ std::optional<LoopFound> LoopCloser::look(const KeyGraph& graph, const std::opti
         record.verdict = LoopVerdict::bare;
     } else {
         record.seen_through = seen_through(graph, graph.size() - 1, loop, map);
-        if (record.seen_through <= kMostSeenThrough) return loop;
+        if (record.seen_through <= place.most_seen_through) return loop;
         record.verdict = LoopVerdict::seen_through;
     }
     refused.push_back(record);

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "hitos/registration/loop_record.hpp"
 #include "hitos/registration/registration_params.hpp"
 #include "key_graph.hpp"
+#include "loop_limits.hpp"
 #include "scan_matcher.hpp"
 
 namespace hitos {
@@ -23,6 +25,14 @@ struct LoopFound {
     LoopRecord record;
 };
 
+/// The keys since the robot may have been carried.
+struct CarriedPiece {
+    std::size_t first = 0;   ///< key of it
+    std::size_t query = 0;   ///< the first key whose scan can be trusted to lie as its neighbours do
+    std::uint64_t scan = 0;  ///< the first of it
+    double broken_m = 0.0;   ///< way driven when the last break was told
+};
+
 /// Looks for an earlier passage of the newest key. Not one scan but the points of the last metres
 /// are correlated with an earlier stretch; the window is as wide as the graph is unsure; and only
 /// what three searches in a row say the same of is a loop: a single match is an accident of like
@@ -31,6 +41,9 @@ struct LoopFound {
 /// Where the graph is less sure than any window, after turns that no scan saw, the likeliest place
 /// is one of many. Then stretches all over what may be are looked at in turn, each about itself,
 /// and what is found is followed: the next search begins where it says that the robot is.
+///
+/// Where the robot may have been carried the graph says nothing: the piece since is looked for in
+/// all that was before, at every heading, and found only where no other place is nearly as like.
 class LoopCloser {
   public:
     LoopCloser(RegistrationParams params, const ScanMatcher& matcher)
@@ -40,6 +53,9 @@ class LoopCloser {
     /// added to `refused`.
     std::optional<LoopFound> search(const KeyGraph& graph, std::span<const GraphReach> reached,
                                     std::vector<LoopRecord>& refused);
+    /// Where the newest key's piece lies among what was before it.
+    std::optional<LoopFound> search_piece(const KeyGraph& graph, const CarriedPiece& piece,
+                                          std::vector<LoopRecord>& refused);
     /// What a loop from a key to an earlier one is worth as its record has the pose: score,
     /// overlap, share seen through.
     void measure(const KeyGraph& graph, std::uint32_t key, std::uint32_t earlier,
@@ -48,7 +64,10 @@ class LoopCloser {
     /// it.
     void fit(const KeyGraph& graph, std::uint32_t key, std::uint32_t earlier, LoopRecord& record);
     /// The graph has moved: what was found before is of another frame.
-    void forget() { found_.clear(); }
+    void forget() {
+        found_.clear();
+        before_.reset();
+    }
 
     std::uint64_t searches() const { return searches_; }
 
@@ -57,7 +76,9 @@ class LoopCloser {
     struct Found {
         Pose move;
         double travelled_m;
-        bool far;  ///< not where the graph would have it
+        bool far;             ///< not where the graph would have it
+        bool single = true;   ///< no other place was nearly as like
+        std::size_t piece{};  ///< of a piece: its first key
     };
     /// Where to look: which earlier key, and for the newest one's pose.
     struct Place {
@@ -65,12 +86,41 @@ class LoopCloser {
         Pose centre;
         SearchWindow window;
         bool far;
+        double most_seen_through = kMostSeenThrough;
     };
+    static constexpr double kStretch = 5.0;  // [m] of travel, of the query and about the old key
+    static constexpr double kMemory = 12.0;  // [m] of travel, of what was found
+    static constexpr std::size_t kQueryKeys = 16;
 
     std::optional<Place> likeliest(const KeyGraph& graph,
                                    std::span<const GraphReach> reached) const;
     std::optional<Place> followed(const KeyGraph& graph, std::span<const GraphReach> reached) const;
     std::optional<Place> far_off(const KeyGraph& graph, std::span<const GraphReach> reached);
+    /// All keys before a piece; copies share it.
+    struct Before {
+        std::size_t piece;              // its first key
+        std::vector<Point2> positions;  // of the keys
+        CorrelationMap picture;
+    };
+    /// What is looked for: the last metres, of so many keys.
+    struct Query {
+        double way_m;
+        std::size_t most_keys;
+        std::size_t first_key;
+    };
+
+    std::optional<LoopFound> single_place(const KeyGraph& graph, const CarriedPiece& piece,
+                                          std::vector<LoopRecord>& refused);
+    std::optional<LoopFound> followed_piece(const KeyGraph& graph, const CarriedPiece& piece,
+                                            std::vector<LoopRecord>& refused);
+    bool agreed_on_piece(const Pose& now, const Pose& then, double travelled_m,
+                         std::size_t piece);
+    static double piece_seen_through(const KeyGraph& graph, const CarriedPiece& piece,
+                                     const Pose& pose);
+    const Before& all_before(const KeyGraph& graph, const CarriedPiece& piece);
+    static std::size_t gather(const KeyGraph& graph, std::size_t newest, const Query& how,
+                              std::vector<SurfacePoint>& points);
+    static LoopRecord record_of(const KeyGraph& graph, const LoopFound& loop);
     std::optional<LoopFound> look(const KeyGraph& graph, const std::optional<Place>& at,
                                   std::vector<LoopRecord>& refused);
     static std::vector<std::uint32_t> stretch_about(const KeyGraph& graph, std::uint32_t key);
@@ -79,13 +129,18 @@ class LoopCloser {
                         const PointMap& map) const;
     void measure(const KeyGraph& graph, std::size_t newest, const LoopFound& loop,
                  const PointMap& map, LoopRecord& record) const;
+    static bool says(const Found& found, const Pose& now, const Pose& then, double travelled_m);
     bool agreed(const Pose& now, const Pose& then, double travelled_m, bool far);
 
     RegistrationParams params_;
     ScanMatcher matcher_;
     std::deque<Found> found_;
+    std::deque<Found> sought_;  // of a piece
     std::map<std::int64_t, std::uint64_t> looked_at_;  // by stretch of travel, when last
     std::uint64_t far_looks_ = 0;
+    std::shared_ptr<const Before> before_;
+    int idle_looks_ = 0;                 // at everything, since something was found
+    double looked_everywhere_m_ = 0.0;  // the way when it was last looked at
     std::uint64_t searches_ = 0;
     std::vector<SurfacePoint> query_;  // in the frame of the newest key; gathered when needed
     std::size_t query_keys_ = 0;       // that it is of

@@ -15,8 +15,9 @@ namespace hitos {
 namespace {
 
 /// In the order of LoopVerdict.
-constexpr std::array<std::string_view, 8> kVerdicts{
-    "closed", "poor-fit", "bare", "seen-through", "alone", "no-edge", "strained", "by-hand"};
+constexpr std::array<std::string_view, 9> kVerdicts{"closed",   "poor-fit", "bare",
+                                                    "seen-through", "alone", "no-edge",
+                                                    "strained", "by-hand",  "ambiguous"};
 
 std::string percent(double share) {
     return fmt::format("{:.0f} %", 100.0 * share);
@@ -62,6 +63,8 @@ Message reason_of(const LoopRecord& loop) {
                 HITOS_TEXT("Errors", "the scan alone says too little of any earlier one"));
         case LoopVerdict::by_hand:
             return marked(HITOS_TEXT("Errors", "somebody has taken it out"));
+        case LoopVerdict::ambiguous:
+            return marked(HITOS_TEXT("Errors", "another place looks nearly as like"));
         case LoopVerdict::strained:
             break;
     }

@@ -52,9 +52,9 @@ RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control
     if (out.key) {
         std::vector<KeyPose> before;  // of the first that moves the graph; empty: nothing has
         edit_graph(before);
-        if (params_.loops && newest > static_cast<std::uint32_t>(params_.key_scans) &&
-            newest % kLoopEvery == 0) {
-            close_loop(before);
+        if (params_.loops && newest > static_cast<std::uint32_t>(params_.key_scans)) {
+            if (newest % kLoopEvery == 0) close_loop(before);
+            if (carried_) find_piece(before);
         }
         if (!before.empty()) correct(before);
     }
@@ -95,7 +95,7 @@ void Registration::Impl::step(const DrivenWay& way, bool slipped, RegisteredStep
         if (std::optional<Guess> other = stood(raw)) {
             guess = *std::move(other);
         } else {
-            figures_.breaks.push_back(placed_.size());
+            doubt(placed_.size());
         }
     }
     const MatchedStep& matched = guess.matched;
@@ -172,6 +172,7 @@ void Registration::Impl::add_key(std::uint64_t scan) {
             const PoseEdge& edge = graph_.edges[i];
             if (edge.kind == EdgeKind::loop) graph_.join(edge.from, newest);
         }
+        believe_where_it_fits(by_source_);
     }
     odometry_ = {};
     odometry_variances_.setZero();
@@ -199,6 +200,7 @@ void Registration::Impl::close_loop(std::vector<KeyPose>& before) {
     figures_.largest_correction_m = std::max(figures_.largest_correction_m, record.move_m);
     loops_.push_back(record);
     if (before.empty()) before = std::move(now);
+    if (carried_ && found->key < carried_->first) carried_.reset();  // the odometry was right
 }
 
 /// Puts its edges into the graph and solves it. Of what is not closed no edge stays.

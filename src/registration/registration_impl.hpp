@@ -68,6 +68,10 @@ class Registration::Impl {
     void add_key(std::uint64_t scan);
     void close_loop(std::vector<KeyPose>& before);
     LoopVerdict close(const LoopFound& found, LoopRecord& record);
+    void doubt(std::uint64_t scan);
+    void believe_where_it_fits(std::span<const Linearization> by_source);
+    void find_piece(std::vector<KeyPose>& before);
+    void lay_piece(const Pose& pose);
     void edit_graph(std::vector<KeyPose>& before);
     void weigh_loops();
     double tension(std::span<const PoseEdge> edges) const;
@@ -95,6 +99,7 @@ class Registration::Impl {
     PointMap map_;
     std::vector<std::uint32_t> map_keys_;
     bool map_stale_ = true;
+    std::optional<CarriedPiece> carried_;  // as long as nothing has told that it was not
     std::vector<GraphReach> reached_;
     std::vector<SurfacePoint> points_;
     std::vector<Linearization> by_source_;

@@ -18,7 +18,8 @@ enum class LoopVerdict : std::uint8_t {
     alone,         ///< too few searches in a row have said the same yet
     no_edge,       ///< the scan alone says too little of any earlier one
     strained,      ///< the graph would be bent more than its edges explain
-    by_hand        ///< somebody has refused it
+    by_hand,       ///< somebody has refused it
+    ambiguous      ///< of a piece that lies nobody knows where: another place is nearly as like
 };
 /// For files: "closed", "poor-fit" …
 std::string_view word_of(LoopVerdict verdict);

@@ -1,0 +1,217 @@
+// Where a robot that was carried is, among all that it has seen before.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
+
+#include "free_view.hpp"
+#include "loop_closer.hpp"
+#include "loop_limits.hpp"
+
+namespace hitos {
+namespace {
+
+constexpr double kFarSpan = 4.0;            // [m] of travel between the first find and the last
+constexpr int kMoreFinds = 2;               // than of a loop that the graph expects
+constexpr double kMostPieceThrough = 0.15;  // share of points; the graph says nothing of the place
+constexpr double kLeastLikeness = 0.35;
+constexpr SearchWindow kAboutFound{1.0, 0.1};
+
+/// How like two passages are, 0 … 1.
+double likeness(const LoopFound& loop) {
+    return loop.record.score * loop.record.overlap *
+           (1.0 - loop.record.seen_through.value_or(1.0));
+}
+
+/// The key before a piece that is nearest to a place.
+std::uint32_t nearest_before(const KeyGraph& graph, const CarriedPiece& piece, const Pose& at) {
+    const auto before = std::span(graph.poses).first(piece.first);
+    const auto nearest = std::ranges::min_element(
+        before, {}, [&](const KeyPose& key) { return distance_m(key.pose, at); });
+    return static_cast<std::uint32_t>(nearest - before.begin());
+}
+
+}  // namespace
+
+const LoopCloser::Before& LoopCloser::all_before(const KeyGraph& graph, const CarriedPiece& piece) {
+    constexpr double kMargin = 20.0;  // [m] about the keys, what they see of walls
+    constexpr int kLevels = 6;
+    if (before_ && before_->piece == piece.first) return *before_;
+    std::vector<std::uint32_t> keys;
+    std::vector<Point2> positions;
+    Bounds bounds;
+    for (std::uint32_t j = 0; j < piece.first; ++j) {
+        keys.push_back(j);
+        positions.push_back({graph.poses[j].pose.x, graph.poses[j].pose.y});
+        bounds.hold(positions.back());
+    }
+    const Pose centre{0.5 * (bounds.low.x + bounds.high.x), 0.5 * (bounds.low.y + bounds.high.y),
+                      0.0};
+    const double half_m = kMargin + 0.5 * std::max(bounds.high.x - bounds.low.x,
+                                                   bounds.high.y - bounds.low.y);
+    PointMap map;
+    build_map(graph, keys, centre, half_m, map);
+    before_ = std::make_shared<const Before>(
+        Before{piece.first, std::move(positions), {map, half_m, kLevels}});
+    return *before_;
+}
+
+/// The one place before the piece that looks like where the newest key is now.
+std::optional<LoopFound> LoopCloser::single_place(const KeyGraph& graph, const CarriedPiece& piece,
+                                                  std::vector<LoopRecord>& refused) {
+    constexpr double kNearlyAsLike = 0.9;
+    constexpr std::size_t kMostKeys = 40;
+    const std::size_t newest = graph.size() - 1;
+    const Before& before = all_before(graph, piece);
+    std::vector<SurfacePoint> wide;
+    gather(graph, newest, {kStretch, kMostKeys, piece.query}, wide);
+    std::vector<LoopFound> like;
+    std::vector<LoopRecord> unlike;
+    for (const Correlation& place : best_places(wide, before.picture, before.positions,
+                                                {.least_score = params_.loop_score})) {
+        auto loop = look(graph,
+                         Place{nearest_before(graph, piece, place.pose), place.pose, kAboutFound,
+                               true, kMostPieceThrough},
+                         unlike);
+        if (loop) like.push_back(std::move(*loop));
+    }
+    std::ranges::stable_sort(like, std::greater<>(), likeness);
+    if (like.empty()) {
+        if (!unlike.empty()) refused.push_back(unlike.front());
+        return std::nullopt;
+    }
+    if (like.size() == 1 || likeness(like[1]) < kNearlyAsLike * likeness(like[0])) return like[0];
+    like[0].record.verdict = LoopVerdict::ambiguous;
+    refused.push_back(like[0].record);
+    sought_.push_back({{}, graph.scans[newest].travelled_m, true, false, piece.first});
+    return std::nullopt;
+}
+
+/// Where the last find says that the newest key is.
+std::optional<LoopFound> LoopCloser::followed_piece(const KeyGraph& graph,
+                                                    const CarriedPiece& piece,
+                                                    std::vector<LoopRecord>& refused) {
+    const auto last = std::ranges::find_if(sought_.rbegin(), sought_.rend(), &Found::single);
+    if (last == sought_.rend() || last->piece != piece.first ||
+        graph.scans.back().travelled_m - last->travelled_m >= kMemory) {
+        return std::nullopt;
+    }
+    const Pose there = compose(last->move, graph.poses.back().pose);
+    const std::uint32_t key = nearest_before(graph, piece, there);
+    if (distance_m(graph.poses[key].pose, there) >= kStretch) return std::nullopt;
+    return look(graph, Place{key, there, kAboutFound, true, kMostPieceThrough}, refused);
+}
+
+/// Whether finds enough say so: where places look alike, of which finds that say otherwise tell,
+/// the robot must be followed the further.
+bool LoopCloser::agreed_on_piece(const Pose& now, const Pose& then, double travelled_m,
+                                 std::size_t piece) {
+    constexpr double kRemembered = 100.0;  // [m] of travel
+    constexpr double kEachOther = 0.5;     // [m] further for each find that says otherwise
+    while (!sought_.empty() && travelled_m - sought_.front().travelled_m > kRemembered) {
+        sought_.pop_front();
+    }
+    int agreeing = 1;
+    int others = 0;
+    double span = 0.0;
+    for (const Found& found : sought_) {
+        if (found.piece != piece) continue;
+        if (!found.single || !says(found, now, then, travelled_m)) {
+            ++others;
+            continue;
+        }
+        ++agreeing;
+        span = std::max(span, travelled_m - found.travelled_m);
+    }
+    sought_.push_back({compose(then, inverse(now)), travelled_m, true, true, piece});
+    return agreeing >= params_.loops_agree + kMoreFinds && agreeing > others &&
+           span > kFarSpan + kEachOther * others;
+}
+
+/// Were the newest key at `pose`: the greater of the shares that its piece and what was before it
+/// look through of what the other saw.
+double LoopCloser::piece_seen_through(const KeyGraph& graph, const CarriedPiece& piece,
+                                      const Pose& pose) {
+    constexpr std::size_t kMostKeys = 100;  // of either side
+    constexpr std::size_t kEveryPoint = 4;
+    constexpr double kNear = 8.0;  // [m]; of what lies elsewhere nobody says anything
+    struct Side {
+        std::vector<KeyPose> keys;  // by key number, as they would lie
+        std::vector<FreeView> views;
+        std::vector<Point2> points;
+    };
+    Side since;
+    Side before;
+    const Pose move = compose(pose, inverse(graph.poses.back().pose));
+    for (std::size_t j = piece.query; j < graph.size(); ++j) {
+        since.keys.push_back({compose(move, graph.poses[j].pose), j});
+    }
+    for (std::size_t j = 0; j < piece.first; ++j) {
+        const Pose& at = graph.poses[j].pose;
+        const bool near = std::ranges::any_of(since.keys, [&](const KeyPose& key) {
+            return distance_m(key.pose, at) < kNear;
+        });
+        if (near) before.keys.push_back({at, j});
+    }
+    for (Side* side : {&since, &before}) {
+        const std::size_t every = side->keys.size() / kMostKeys + 1;
+        for (std::size_t i = 0; i < side->keys.size(); i += every) {
+            const KeyPose& key = side->keys[i];
+            const std::span<const SurfacePoint> points = graph.scans[key.scan].points();
+            side->views.emplace_back(points, key.pose);
+            for (std::size_t k = 0; k < points.size(); k += kEveryPoint) {
+                place(points.subspan(k, 1), key.pose, side->points);
+            }
+        }
+    }
+    return std::max(contradiction(since.points, before.views),
+                    contradiction(before.points, since.views));
+}
+
+std::optional<LoopFound> LoopCloser::search_piece(const KeyGraph& graph, const CarriedPiece& piece,
+                                                  std::vector<LoopRecord>& refused) {
+    // [m] of way between two looks at everything: at first a tenth of the way since the break, and
+    // the more the more often nothing was found.
+    constexpr double kEvery = 1.0;
+    constexpr double kSeldomest = 5.0;
+    constexpr double kIdle = 0.1;
+    const double way_m = graph.scans.back().travelled_m;
+    const auto refuse = [&](LoopRecord& record, LoopVerdict verdict) {
+        record.verdict = verdict;
+        refused.push_back(record);
+    };
+    query_keys_ = gather(graph, graph.size() - 1, {kStretch, kQueryKeys, piece.query}, query_);
+    std::optional<LoopFound> loop = followed_piece(graph, piece, refused);
+    if (!loop) {
+        const double wait_m = std::max(std::clamp(0.1 * (way_m - piece.broken_m), kEvery, kSeldomest),
+                                       kIdle * idle_looks_);
+        if (way_m - looked_everywhere_m_ < wait_m) return std::nullopt;
+        looked_everywhere_m_ = way_m;
+        loop = single_place(graph, piece, refused);
+        idle_looks_ = loop ? 0 : idle_looks_ + 1;
+    }
+    if (!loop) return std::nullopt;
+    if (!agreed_on_piece(graph.poses.back().pose, loop->pose, way_m, piece.first)) {
+        refuse(loop->record, LoopVerdict::alone);
+        return std::nullopt;
+    }
+    // With all that was gathered by now, is it still the one place, and does all of the piece fit?
+    const std::optional<LoopFound> single = single_place(graph, piece, refused);
+    if (!single || distance_m(single->pose, loop->pose) >= kAboutFound.position_m) {
+        return std::nullopt;
+    }
+    if (likeness(*loop) <= kLeastLikeness) {
+        refuse(loop->record, LoopVerdict::poor_fit);
+        return std::nullopt;
+    }
+    loop->record.seen_through =
+        std::max(*loop->record.seen_through, piece_seen_through(graph, piece, loop->pose));
+    if (*loop->record.seen_through > kMostPieceThrough) {
+        refuse(loop->record, LoopVerdict::seen_through);
+        return std::nullopt;
+    }
+    return loop;
+}
+
+}  // namespace hitos

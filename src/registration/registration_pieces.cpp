@@ -1,0 +1,87 @@
+// A robot that was carried, found again where it has been before.
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "registration_impl.hpp"
+
+namespace hitos {
+
+/// From this scan on the robot may be anywhere. Breaks that follow on each other are one: of scans
+/// that fit nothing there are several until the local map is of the new place.
+void Registration::Impl::doubt(std::uint64_t scan) {
+    constexpr double kOne = 5.0;  // [m] of way
+    figures_.breaks.push_back(scan);
+    const std::size_t next = graph_.size();  // key
+    if (carried_ && travelled_m_ - carried_->broken_m < kOne) {
+        carried_->query = next;
+    } else {
+        carried_ = CarriedPiece{next, next, scan, 0.0};
+    }
+    carried_->broken_m = travelled_m_;
+}
+
+/// The newest key, matched with what was there before the break: where most of it lies there, the
+/// robot was not carried.
+void Registration::Impl::believe_where_it_fits(std::span<const Linearization> by_source) {
+    constexpr double kMost = 0.6;  // of its points
+    if (!carried_) return;
+    int matches = 0;
+    for (std::size_t i = 0; i < by_source.size(); ++i) {
+        if (map_keys_[i] < carried_->first) matches += by_source[i].matches;
+    }
+    if (matches > kMost * static_cast<double>(points_.size())) carried_.reset();
+}
+
+/// `before` takes the keys as they were where it moves the graph and nothing has before.
+void Registration::Impl::find_piece(std::vector<KeyPose>& before) {
+    const std::size_t newest = graph_.size() - 1;
+    if (newest < carried_->query) return;
+    const auto found = closer_.search_piece(graph_, *carried_, refused_);
+    if (!found) return;
+    LoopRecord record = found->record;
+    record.refused_from = editor_.refuses(graph_, *found);
+    if (record.refused_from) {
+        record.verdict = LoopVerdict::by_hand;
+        refused_.push_back(record);
+        return;
+    }
+    const KeyGraph graph = graph_;
+    const std::vector<Placed> placed = placed_;
+    lay_piece(found->pose);
+    record.verdict = close(*found, record);
+    if (record.verdict != LoopVerdict::closed) {
+        graph_ = graph;
+        placed_ = placed;
+        refused_.push_back(record);
+        return;
+    }
+    closer_.forget();
+    carried_.reset();
+    record.move_m = greatest_move(graph.poses, graph_.poses);
+    figures_.largest_correction_m = std::max(figures_.largest_correction_m, record.move_m);
+    loops_.push_back(record);
+    if (before.empty()) before = graph.poses;
+}
+
+/// Cuts the tour where the robot was carried and lays the newest key at a pose, with all keys since
+/// as they lie about it.
+void Registration::Impl::lay_piece(const Pose& pose) {
+    const std::size_t first = carried_->first;
+    graph_.cut(first);
+    // Scans of the new place that hang on the last key of the old one.
+    for (std::size_t scan = carried_->scan; scan < placed_.size(); ++scan) {
+        Placed& placed = placed_[scan];
+        if (placed.key >= first) continue;
+        const Pose at = compose(graph_.poses[placed.key].pose, placed.pose_key_scan);
+        placed = {static_cast<std::uint32_t>(first), between(graph_.poses[first].pose, at)};
+    }
+    const Pose move = compose(pose, inverse(graph_.poses.back().pose));
+    for (std::size_t k = first; k < graph_.size(); ++k) {
+        graph_.poses[k].pose = compose(move, graph_.poses[k].pose);
+    }
+}
+
+}  // namespace hitos
