@@ -143,23 +143,28 @@ class Mask {
         const auto cells = [&](double m) { return static_cast<int>(std::floor(m / side)); };
         columns_ = ((2 * reach) >> kFinest) + 1;
         levels_.assign(static_cast<std::size_t>(std::max(1, levels - kFinest + 1)), {});
-        levels_.front().assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(columns_), false);
+        levels_.front().assign(
+            static_cast<std::size_t>(columns_) * static_cast<std::size_t>(columns_), false);
         const double low = reach * CorrelationMap::kCell;
         for (const Point2& at : positions) {
             const double x = at.x - centre.x + low;
             const double y = at.y - centre.y + low;
-            for (int i = std::max(0, cells(x - within_m)); i <= std::min(columns_ - 1, cells(x + within_m)); ++i) {
-                for (int j = std::max(0, cells(y - within_m)); j <= std::min(columns_ - 1, cells(y + within_m)); ++j) {
+            for (int i = std::max(0, cells(x - within_m));
+                 i <= std::min(columns_ - 1, cells(x + within_m)); ++i) {
+                for (int j = std::max(0, cells(y - within_m));
+                     j <= std::min(columns_ - 1, cells(y + within_m)); ++j) {
                     levels_.front()[place(i, j, 0)] = true;
                 }
             }
         }
         for (std::size_t level = 1; level < levels_.size(); ++level) {
             const int side_cells = width(level);
-            levels_[level].assign(static_cast<std::size_t>(side_cells) * static_cast<std::size_t>(side_cells), false);
+            levels_[level].assign(
+                static_cast<std::size_t>(side_cells) * static_cast<std::size_t>(side_cells), false);
             for (int i = 0; i < width(level - 1); ++i) {
                 for (int j = 0; j < width(level - 1); ++j) {
-                    if (levels_[level - 1][place(i, j, level - 1)]) levels_[level][place(i / 2, j / 2, level)] = true;
+                    if (levels_[level - 1][place(i, j, level - 1)])
+                        levels_[level][place(i / 2, j / 2, level)] = true;
                 }
             }
         }
@@ -216,12 +221,13 @@ class BestFirst {
         }
     }
 
-    /// The next single place, after at most `most` squares opened in all; squares of which `passed`
-    /// is true are left out.
+    /// The next single place whose score is `least` at least, after at most `most` squares opened
+    /// in all; squares of which `passed` is true are left out.
     template <class Passed>
-    std::optional<Correlation> next(int most, const Passed& passed) {
+    std::optional<Correlation> next(int most, double least, const Passed& passed) {
         for (; !open_.empty() && opened_ < most; ++opened_) {
             const Square best = open_.top();
+            if (score(best) < least) break;
             open_.pop();
             if (passed(best)) continue;
             if (best.level == 0) return Correlation{pose(best, 0.0), score(best)};
@@ -233,6 +239,8 @@ class BestFirst {
         return std::nullopt;
     }
 
+    /// Whether there may be further places of such a score.
+    bool more(double least) const { return !open_.empty() && score(open_.top()) >= least; }
     /// Of a place of a square, `cells` from its corner.
     Pose pose(const Square& square, double cells) const {
         return {centre_.x + (square.x + cells) * CorrelationMap::kCell,
@@ -287,22 +295,25 @@ std::optional<Correlation> correlate(std::span<const SurfacePoint> points,
     constexpr int kMostOpened = 20000;
     if (points.empty()) return std::nullopt;
     return BestFirst(points, map, centre, window, least_score)
-        .next(kMostOpened, [](const Square&) { return false; });
+        .next(kMostOpened, least_score, [](const Square&) { return false; });
 }
 
-std::vector<Correlation> best_places(std::span<const SurfacePoint> points,
-                                     const CorrelationMap& map, std::span<const Point2> positions,
-                                     const PlacesWanted& wanted) {
-    constexpr int kMostOpened = 150000;
+BestPlaces best_places(std::span<const SurfacePoint> points, const CorrelationMap& map,
+                       std::span<const Point2> positions, const PlacesWanted& wanted) {
+    constexpr int kMostOpened = 300000;
     constexpr double kApart = 2.0;      // [m]
     constexpr double kApartTurn = 0.5;  // [rad]
     if (points.empty() || positions.empty()) return {};
     Bounds bounds;
     for (const Point2& at : positions) bounds.hold(at);
-    const Pose centre{0.5 * (bounds.low.x + bounds.high.x), 0.5 * (bounds.low.y + bounds.high.y), 0.0};
-    const double half_m = 0.5 * std::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
-    BestFirst search(points, map, centre, {half_m + wanted.within_m, kPi}, wanted.least_score, positions, wanted.within_m);
-    std::vector<Correlation> places;
+    const Pose centre{0.5 * (bounds.low.x + bounds.high.x), 0.5 * (bounds.low.y + bounds.high.y),
+                      0.0};
+    const double half_m =
+        0.5 * std::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
+    BestFirst search(points, map, centre, {half_m + wanted.within_m, kPi}, wanted.least_score,
+                     positions, wanted.within_m);
+    BestPlaces found;
+    std::vector<Correlation>& places = found.places;
     const auto beside_one = [&](const Square& square) {
         const double half = 0.5 * ((1 << square.level) - 1);
         const Pose middle = search.pose(square, half);
@@ -313,12 +324,17 @@ std::vector<Correlation> best_places(std::span<const SurfacePoint> points,
                    std::abs(wrap_angle(middle.theta - place.pose.theta)) < kApartTurn;
         });
     };
+    double least = wanted.least_score;
     while (places.size() < wanted.most) {
-        const auto place = search.next(kMostOpened, beside_one);
-        if (!place || (!places.empty() && place->score < wanted.share * places.front().score)) break;
+        const auto place = search.next(kMostOpened, least, beside_one);
+        if (!place) {
+            found.all = !search.more(least);
+            break;
+        }
         places.push_back(*place);
+        least = std::max(least, wanted.share * places.front().score);
     }
-    return places;
+    return found;
 }
 
 }  // namespace hitos

@@ -71,10 +71,13 @@ struct PlacesWanted {
     std::size_t most = 6;      ///< places
 };
 
-/// The places about `positions`, at any heading, that correlate best, each 2 m or 0.5 rad from every
-/// other one, the best first. Where 400 000 squares were opened without an end some may be missing.
-std::vector<Correlation> best_places(std::span<const SurfacePoint> points,
-                                     const CorrelationMap& map, std::span<const Point2> positions,
-                                     const PlacesWanted& wanted);
+struct BestPlaces {
+    std::vector<Correlation> places;  ///< each 2 m or 0.5 rad from every other one, best first
+    bool all = true;  ///< false where 300 000 squares were opened without an end: some are missing
+};
+
+/// The places about `positions`, at any heading, that correlate best.
+BestPlaces best_places(std::span<const SurfacePoint> points, const CorrelationMap& map,
+                       std::span<const Point2> positions, const PlacesWanted& wanted);
 
 }  // namespace hitos

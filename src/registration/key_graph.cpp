@@ -27,6 +27,9 @@ void KeyGraph::cut(std::size_t begin) {
     for (std::size_t key = 0; key < size(); ++key) {
         std::erase_if(joined_[key], [&](std::uint32_t other) { return across(key, other); });
     }
+    for (const PoseEdge& edge : edges) {
+        if (edge.from > 0 && across(edge.from, edge.to)) join(edge.from, edge.to);
+    }
 }
 
 void KeyGraph::join(std::uint32_t a, std::uint32_t b) {
@@ -92,7 +95,9 @@ void KeyGraph::add_scan_edges(std::uint32_t to, const Pose& pose,
         if (!(std::abs(step(0)) + std::abs(step(1)) + 3.0 * std::abs(step(2)) <= kFar)) continue;
         const Pose& from = poses[sources[i]].pose;
         edges.push_back({sources[i], to, between(from, shifted(pose, step)), turned(h, -from.theta),
-                         to - sources[i] > newest ? EdgeKind::loop : EdgeKind::scan});
+                         to - sources[i] > newest || part_begin(to) != part_begin(sources[i])
+                             ? EdgeKind::loop
+                             : EdgeKind::scan});
     }
 }
 

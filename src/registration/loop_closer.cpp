@@ -284,7 +284,6 @@ LoopRecord LoopCloser::record_of(const KeyGraph& graph, const LoopFound& loop) {
 
 std::optional<LoopFound> LoopCloser::look(const KeyGraph& graph, const std::optional<Place>& at,
                                           std::vector<LoopRecord>& refused) {
-    constexpr std::size_t kFewestPoints = 40;
     if (!at) return std::nullopt;
     if (query_.empty()) gather_query(graph, graph.size() - 1);
     if (query_.size() < kFewestPoints) return std::nullopt;
@@ -292,7 +291,7 @@ std::optional<LoopFound> LoopCloser::look(const KeyGraph& graph, const std::opti
     const Place& place = *at;
     LoopFound loop;
     loop.key = place.key;
-    loop.sources = stretch_about(graph, place.key);
+    loop.sources = place.sources.empty() ? stretch_about(graph, place.key) : place.sources;
     PointMap map;
     build_map(graph, loop.sources, graph.poses[place.key].pose, kStretchHalf, map);
     const CorrelationMap picture(map, 25.0 + 0.5 * place.window.position_m, 4);

@@ -27,8 +27,8 @@ struct LoopFound {
 
 /// The keys since the robot may have been carried.
 struct CarriedPiece {
-    std::size_t first = 0;   ///< key of it
-    std::size_t query = 0;   ///< the first key whose scan can be trusted to lie as its neighbours do
+    std::size_t first = 0;  ///< key of it
+    std::size_t query = 0;  ///< the first key whose scan can be trusted to lie as its neighbours do
     std::uint64_t scan = 0;  ///< the first of it
     double broken_m = 0.0;   ///< way driven when the last break was told
 };
@@ -69,6 +69,9 @@ class LoopCloser {
         before_.reset();
     }
 
+    /// Nothing is looked for that may have been carried.
+    void rest() { before_.reset(); }
+
     std::uint64_t searches() const { return searches_; }
 
   private:
@@ -87,10 +90,12 @@ class LoopCloser {
         SearchWindow window;
         bool far;
         double most_seen_through = kMostSeenThrough;
+        std::vector<std::uint32_t> sources = {};  ///< empty: the stretch about the key
     };
     static constexpr double kStretch = 5.0;  // [m] of travel, of the query and about the old key
     static constexpr double kMemory = 12.0;  // [m] of travel, of what was found
     static constexpr std::size_t kQueryKeys = 16;
+    static constexpr std::size_t kFewestPoints = 40;  // of a query
 
     std::optional<Place> likeliest(const KeyGraph& graph,
                                    std::span<const GraphReach> reached) const;
@@ -109,12 +114,13 @@ class LoopCloser {
         std::size_t first_key;
     };
 
+    static std::optional<Place> place_about(const KeyGraph& graph, const CarriedPiece& piece,
+                                            const Pose& at);
     std::optional<LoopFound> single_place(const KeyGraph& graph, const CarriedPiece& piece,
                                           std::vector<LoopRecord>& refused);
     std::optional<LoopFound> followed_piece(const KeyGraph& graph, const CarriedPiece& piece,
                                             std::vector<LoopRecord>& refused);
-    bool agreed_on_piece(const Pose& now, const Pose& then, double travelled_m,
-                         std::size_t piece);
+    bool agreed_on_piece(const Pose& now, const Pose& then, double travelled_m, std::size_t piece);
     static double piece_seen_through(const KeyGraph& graph, const CarriedPiece& piece,
                                      const Pose& pose);
     const Before& all_before(const KeyGraph& graph, const CarriedPiece& piece);
@@ -135,11 +141,11 @@ class LoopCloser {
     RegistrationParams params_;
     ScanMatcher matcher_;
     std::deque<Found> found_;
-    std::deque<Found> sought_;  // of a piece
+    std::deque<Found> sought_;                         // of a piece
     std::map<std::int64_t, std::uint64_t> looked_at_;  // by stretch of travel, when last
     std::uint64_t far_looks_ = 0;
     std::shared_ptr<const Before> before_;
-    int idle_looks_ = 0;                 // at everything, since something was found
+    int idle_looks_ = 0;                // at everything, since something was found
     double looked_everywhere_m_ = 0.0;  // the way when it was last looked at
     std::uint64_t searches_ = 0;
     std::vector<SurfacePoint> query_;  // in the frame of the newest key; gathered when needed

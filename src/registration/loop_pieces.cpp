@@ -12,30 +12,42 @@
 namespace hitos {
 namespace {
 
-constexpr double kFarSpan = 4.0;            // [m] of travel between the first find and the last
-constexpr int kMoreFinds = 2;               // than of a loop that the graph expects
-constexpr double kMostPieceThrough = 0.15;  // share of points; the graph says nothing of the place
-constexpr double kLeastLikeness = 0.35;
+constexpr double kFarSpan = 4.0;  // [m] of travel between the first find and the last
+constexpr int kMoreFinds = 2;     // than of a loop that the graph expects
 constexpr SearchWindow kAboutFound{1.0, 0.1};
 
-/// How like two passages are, 0 … 1.
 double likeness(const LoopFound& loop) {
-    return loop.record.score * loop.record.overlap *
-           (1.0 - loop.record.seen_through.value_or(1.0));
+    return likeness(loop.record);
 }
 
-/// The key before a piece that is nearest to a place.
-std::uint32_t nearest_before(const KeyGraph& graph, const CarriedPiece& piece, const Pose& at) {
-    const auto before = std::span(graph.poses).first(piece.first);
-    const auto nearest = std::ranges::min_element(
-        before, {}, [&](const KeyPose& key) { return distance_m(key.pose, at); });
-    return static_cast<std::uint32_t>(nearest - before.begin());
+bool same_place(const Pose& a, const Pose& b) {
+    return distance_m(a, b) < kAboutFound.position_m &&
+           std::abs(wrap_angle(a.theta - b.theta)) < kAboutFound.heading_rad;
+}
+
+/// The keys before a piece that are nearest to a place, of whatever passage, the nearest first:
+/// what a stretch of one passage has not seen there, another one may have.
+std::vector<std::uint32_t> keys_about(const KeyGraph& graph, const CarriedPiece& piece,
+                                      const Pose& at) {
+    constexpr double kAbout = 6.0;  // [m]
+    constexpr std::size_t kMostAbout = 30;
+    std::vector<std::pair<double, std::uint32_t>> near;
+    for (std::uint32_t j = 0; j < piece.first; ++j) {
+        const double distance = distance_m(graph.poses[j].pose, at);
+        if (distance < kAbout) near.emplace_back(distance, j);
+    }
+    std::ranges::sort(near);
+    std::vector<std::uint32_t> keys;
+    for (std::size_t i = 0; i < std::min(kMostAbout, near.size()); ++i)
+        keys.push_back(near[i].second);
+    return keys;
 }
 
 }  // namespace
 
 const LoopCloser::Before& LoopCloser::all_before(const KeyGraph& graph, const CarriedPiece& piece) {
-    constexpr double kMargin = 20.0;  // [m] about the keys, what they see of walls
+    constexpr double kMargin = 20.0;     // [m] about the keys, what they see of walls
+    constexpr double kGreatest = 200.0;  // [m] either way: 16 million cells a picture
     constexpr int kLevels = 6;
     if (before_ && before_->piece == piece.first) return *before_;
     std::vector<std::uint32_t> keys;
@@ -48,8 +60,12 @@ const LoopCloser::Before& LoopCloser::all_before(const KeyGraph& graph, const Ca
     }
     const Pose centre{0.5 * (bounds.low.x + bounds.high.x), 0.5 * (bounds.low.y + bounds.high.y),
                       0.0};
-    const double half_m = kMargin + 0.5 * std::max(bounds.high.x - bounds.low.x,
-                                                   bounds.high.y - bounds.low.y);
+    const double half_m = std::min(
+        kGreatest,
+        kMargin + 0.5 * std::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y));
+    std::erase_if(positions, [&](const Point2& at) {
+        return std::max(std::abs(at.x - centre.x), std::abs(at.y - centre.y)) > half_m;
+    });
     PointMap map;
     build_map(graph, keys, centre, half_m, map);
     before_ = std::make_shared<const Before>(
@@ -57,31 +73,48 @@ const LoopCloser::Before& LoopCloser::all_before(const KeyGraph& graph, const Ca
     return *before_;
 }
 
+std::optional<LoopCloser::Place> LoopCloser::place_about(const KeyGraph& graph,
+                                                         const CarriedPiece& piece,
+                                                         const Pose& at) {
+    std::vector<std::uint32_t> keys = keys_about(graph, piece, at);
+    if (keys.empty()) return std::nullopt;
+    return Place{keys.front(), at, kAboutFound, true, kMostPieceThrough, std::move(keys)};
+}
+
 /// The one place before the piece that looks like where the newest key is now.
 std::optional<LoopFound> LoopCloser::single_place(const KeyGraph& graph, const CarriedPiece& piece,
                                                   std::vector<LoopRecord>& refused) {
     constexpr double kNearlyAsLike = 0.9;
     constexpr std::size_t kMostKeys = 40;
+    constexpr std::size_t kFewPoints = 100;
     const std::size_t newest = graph.size() - 1;
     const Before& before = all_before(graph, piece);
     std::vector<SurfacePoint> wide;
     gather(graph, newest, {kStretch, kMostKeys, piece.query}, wide);
     std::vector<LoopFound> like;
     std::vector<LoopRecord> unlike;
-    for (const Correlation& place : best_places(wide, before.picture, before.positions,
-                                                {.least_score = params_.loop_score})) {
-        auto loop = look(graph,
-                         Place{nearest_before(graph, piece, place.pose), place.pose, kAboutFound,
-                               true, kMostPieceThrough},
-                         unlike);
-        if (loop) like.push_back(std::move(*loop));
+    // For places that are worth a look a few of them are enough, and much quicker.
+    std::vector<SurfacePoint> few;
+    const std::size_t every = wide.size() / kFewPoints + 1;
+    for (std::size_t i = 0; i < wide.size(); i += every) few.push_back(wide[i]);
+    const BestPlaces best =
+        best_places(few, before.picture, before.positions, {.least_score = params_.loop_score});
+    for (const Correlation& place : best.places) {
+        auto loop = look(graph, place_about(graph, piece, place.pose), unlike);
+        if (loop && std::ranges::none_of(like, [&](const LoopFound& other) {
+                return same_place(other.pose, loop->pose);  // from another start
+            })) {
+            like.push_back(std::move(*loop));
+        }
     }
-    std::ranges::stable_sort(like, std::greater<>(), likeness);
+    std::ranges::stable_sort(like, std::greater<>(),
+                             [](const LoopFound& loop) { return likeness(loop); });
     if (like.empty()) {
         if (!unlike.empty()) refused.push_back(unlike.front());
         return std::nullopt;
     }
-    if (like.size() == 1 || likeness(like[1]) < kNearlyAsLike * likeness(like[0])) return like[0];
+    const bool single = like.size() == 1 || likeness(like[1]) < kNearlyAsLike * likeness(like[0]);
+    if (single && best.all) return like[0];
     like[0].record.verdict = LoopVerdict::ambiguous;
     refused.push_back(like[0].record);
     sought_.push_back({{}, graph.scans[newest].travelled_m, true, false, piece.first});
@@ -98,9 +131,7 @@ std::optional<LoopFound> LoopCloser::followed_piece(const KeyGraph& graph,
         return std::nullopt;
     }
     const Pose there = compose(last->move, graph.poses.back().pose);
-    const std::uint32_t key = nearest_before(graph, piece, there);
-    if (distance_m(graph.poses[key].pose, there) >= kStretch) return std::nullopt;
-    return look(graph, Place{key, there, kAboutFound, true, kMostPieceThrough}, refused);
+    return look(graph, place_about(graph, piece, there), refused);
 }
 
 /// Whether finds enough say so: where places look alike, of which finds that say otherwise tell,
@@ -149,9 +180,8 @@ double LoopCloser::piece_seen_through(const KeyGraph& graph, const CarriedPiece&
     }
     for (std::size_t j = 0; j < piece.first; ++j) {
         const Pose& at = graph.poses[j].pose;
-        const bool near = std::ranges::any_of(since.keys, [&](const KeyPose& key) {
-            return distance_m(key.pose, at) < kNear;
-        });
+        const bool near = std::ranges::any_of(
+            since.keys, [&](const KeyPose& key) { return distance_m(key.pose, at) < kNear; });
         if (near) before.keys.push_back({at, j});
     }
     for (Side* side : {&since, &before}) {
@@ -171,44 +201,49 @@ double LoopCloser::piece_seen_through(const KeyGraph& graph, const CarriedPiece&
 
 std::optional<LoopFound> LoopCloser::search_piece(const KeyGraph& graph, const CarriedPiece& piece,
                                                   std::vector<LoopRecord>& refused) {
-    // [m] of way between two looks at everything: at first a tenth of the way since the break, and
-    // the more the more often nothing was found.
+    // [m] of way between two looks at everything: a tenth of the way since the break, and the more
+    // the more often nothing was found, in this piece or others: outdoors breaks are told where
+    // nobody carried the robot.
     constexpr double kEvery = 1.0;
     constexpr double kSeldomest = 5.0;
-    constexpr double kIdle = 0.1;
+    constexpr double kIdle = 0.2;
     const double way_m = graph.scans.back().travelled_m;
     const auto refuse = [&](LoopRecord& record, LoopVerdict verdict) {
         record.verdict = verdict;
         refused.push_back(record);
     };
     query_keys_ = gather(graph, graph.size() - 1, {kStretch, kQueryKeys, piece.query}, query_);
+    if (query_.size() < kFewestPoints) return std::nullopt;
     std::optional<LoopFound> loop = followed_piece(graph, piece, refused);
+    bool single = false;
     if (!loop) {
-        const double wait_m = std::max(std::clamp(0.1 * (way_m - piece.broken_m), kEvery, kSeldomest),
-                                       kIdle * idle_looks_);
+        const double wait_m = std::max(
+            std::clamp(0.1 * (way_m - piece.broken_m), kEvery, kSeldomest), kIdle * idle_looks_);
         if (way_m - looked_everywhere_m_ < wait_m) return std::nullopt;
         looked_everywhere_m_ = way_m;
         loop = single_place(graph, piece, refused);
         idle_looks_ = loop ? 0 : idle_looks_ + 1;
+        single = true;
     }
     if (!loop) return std::nullopt;
     if (!agreed_on_piece(graph.poses.back().pose, loop->pose, way_m, piece.first)) {
         refuse(loop->record, LoopVerdict::alone);
         return std::nullopt;
     }
-    // With all that was gathered by now, is it still the one place, and does all of the piece fit?
-    const std::optional<LoopFound> single = single_place(graph, piece, refused);
-    if (!single || distance_m(single->pose, loop->pose) >= kAboutFound.position_m) {
-        return std::nullopt;
+    if (!single) {  // with all that was gathered by now, is it still the one place?
+        if (way_m - looked_everywhere_m_ < kEvery) return std::nullopt;
+        looked_everywhere_m_ = way_m;
+        const std::optional<LoopFound> still = single_place(graph, piece, refused);
+        if (!still || !same_place(still->pose, loop->pose)) return std::nullopt;
     }
     if (likeness(*loop) <= kLeastLikeness) {
-        refuse(loop->record, LoopVerdict::poor_fit);
+        refuse(loop->record, LoopVerdict::unlike);
         return std::nullopt;
     }
     loop->record.seen_through =
         std::max(*loop->record.seen_through, piece_seen_through(graph, piece, loop->pose));
     if (*loop->record.seen_through > kMostPieceThrough) {
-        refuse(loop->record, LoopVerdict::seen_through);
+        refuse(loop->record, LoopVerdict::unlike);
         return std::nullopt;
     }
     return loop;

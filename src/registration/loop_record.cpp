@@ -15,9 +15,9 @@ namespace hitos {
 namespace {
 
 /// In the order of LoopVerdict.
-constexpr std::array<std::string_view, 9> kVerdicts{"closed",   "poor-fit", "bare",
-                                                    "seen-through", "alone", "no-edge",
-                                                    "strained", "by-hand",  "ambiguous"};
+constexpr std::array<std::string_view, 10> kVerdicts{
+    "closed",  "poor-fit", "bare",    "seen-through", "alone",
+    "no-edge", "strained", "by-hand", "ambiguous",    "unlike"};
 
 std::string percent(double share) {
     return fmt::format("{:.0f} %", 100.0 * share);
@@ -65,6 +65,14 @@ Message reason_of(const LoopRecord& loop) {
             return marked(HITOS_TEXT("Errors", "somebody has taken it out"));
         case LoopVerdict::ambiguous:
             return marked(HITOS_TEXT("Errors", "another place looks nearly as like"));
+        case LoopVerdict::unlike:
+            return message(HITOS_TEXT("Errors",
+                                      "the robot may have been carried, and for that the places "
+                                      "are too little alike: %1 (score times overlap times what is "
+                                      "not seen through), and more than %2 is asked; %3 is seen "
+                                      "through, and at most %4 is allowed"),
+                           fmt::format("{:.2f}", likeness(loop)), kLeastLikeness,
+                           percent(loop.seen_through.value_or(1.0)), percent(kMostPieceThrough));
         case LoopVerdict::strained:
             break;
     }

@@ -54,7 +54,7 @@ RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control
         edit_graph(before);
         if (params_.loops && newest > static_cast<std::uint32_t>(params_.key_scans)) {
             if (newest % kLoopEvery == 0) close_loop(before);
-            if (carried_) find_piece(before);
+            if (!carried_.empty()) find_piece(before);
         }
         if (!before.empty()) correct(before);
     }
@@ -200,7 +200,7 @@ void Registration::Impl::close_loop(std::vector<KeyPose>& before) {
     figures_.largest_correction_m = std::max(figures_.largest_correction_m, record.move_m);
     loops_.push_back(record);
     if (before.empty()) before = std::move(now);
-    if (carried_ && found->key < carried_->first) carried_.reset();  // the odometry was right
+    believe(found->key);
 }
 
 /// Puts its edges into the graph and solves it. Of what is not closed no edge stays.
@@ -273,6 +273,7 @@ void Registration::Impl::finish() {
     for (int pass = 0; pass < params_.final_passes; ++pass) register_anew(pass == 0);
     weigh_loops();
     correct(before);
+    closer_.forget();
 }
 
 /// Every key's scan against its neighbours as they lie now.

@@ -44,6 +44,7 @@ void Registration::Impl::edit_graph(std::vector<KeyPose>& before) {
         loops_.push_back(record);
         hold(earlier, edit.pose, by_eye);
         graph_.join(earlier, newest);
+        believe(earlier);
     }
     PoseGraphSolver solver(graph_.size(), graph_.edges);
     solver.solve(graph_.poses, {6, false}, first_edge);

@@ -45,7 +45,7 @@ class Registration::Impl {
     }
 
   private:
-    /// A scan hangs on the newest key of its time.
+    /// A scan hangs on the newest key of its time, or on the first one after the robot was carried.
     struct Placed {
         std::uint32_t key;
         Pose pose_key_scan;
@@ -70,6 +70,7 @@ class Registration::Impl {
     LoopVerdict close(const LoopFound& found, LoopRecord& record);
     void doubt(std::uint64_t scan);
     void believe_where_it_fits(std::span<const Linearization> by_source);
+    void believe(std::size_t earlier_key);
     void find_piece(std::vector<KeyPose>& before);
     void lay_piece(const Pose& pose);
     void edit_graph(std::vector<KeyPose>& before);
@@ -99,7 +100,8 @@ class Registration::Impl {
     PointMap map_;
     std::vector<std::uint32_t> map_keys_;
     bool map_stale_ = true;
-    std::optional<CarriedPiece> carried_;  // as long as nothing has told that it was not
+    // Where the robot may have been carried, as long as nothing has told that it was not.
+    std::vector<CarriedPiece> carried_;
     std::vector<GraphReach> reached_;
     std::vector<SurfacePoint> points_;
     std::vector<Linearization> by_source_;

@@ -15,31 +15,38 @@ void Registration::Impl::doubt(std::uint64_t scan) {
     constexpr double kOne = 5.0;  // [m] of way
     figures_.breaks.push_back(scan);
     const std::size_t next = graph_.size();  // key
-    if (carried_ && travelled_m_ - carried_->broken_m < kOne) {
-        carried_->query = next;
-    } else {
-        carried_ = CarriedPiece{next, next, scan, 0.0};
+    if (carried_.empty() || travelled_m_ - carried_.back().broken_m >= kOne) {
+        carried_.push_back({next, next, scan, 0.0});
     }
-    carried_->broken_m = travelled_m_;
+    carried_.back().query = next;
+    carried_.back().broken_m = travelled_m_;
 }
 
 /// The newest key, matched with what was there before the break: where most of it lies there, the
 /// robot was not carried.
 void Registration::Impl::believe_where_it_fits(std::span<const Linearization> by_source) {
     constexpr double kMost = 0.6;  // of its points
-    if (!carried_) return;
+    if (carried_.empty()) return;
+    const std::size_t first = carried_.back().first;
     int matches = 0;
     for (std::size_t i = 0; i < by_source.size(); ++i) {
-        if (map_keys_[i] < carried_->first) matches += by_source[i].matches;
+        if (map_keys_[i] < first) matches += by_source[i].matches;
     }
-    if (matches > kMost * static_cast<double>(points_.size())) carried_.reset();
+    if (matches > kMost * static_cast<double>(points_.size())) believe(first - 1);
+}
+
+/// The newest key lies where the graph has it about an earlier one: since then nobody carried it.
+void Registration::Impl::believe(std::size_t earlier_key) {
+    if (carried_.empty()) return;
+    std::erase_if(carried_, [&](const CarriedPiece& piece) { return earlier_key < piece.first; });
+    if (carried_.empty()) closer_.rest();
 }
 
 /// `before` takes the keys as they were where it moves the graph and nothing has before.
 void Registration::Impl::find_piece(std::vector<KeyPose>& before) {
     const std::size_t newest = graph_.size() - 1;
-    if (newest < carried_->query) return;
-    const auto found = closer_.search_piece(graph_, *carried_, refused_);
+    if (newest < carried_.back().query) return;
+    const auto found = closer_.search_piece(graph_, carried_.back(), refused_);
     if (!found) return;
     LoopRecord record = found->record;
     record.refused_from = editor_.refuses(graph_, *found);
@@ -59,7 +66,7 @@ void Registration::Impl::find_piece(std::vector<KeyPose>& before) {
         return;
     }
     closer_.forget();
-    carried_.reset();
+    carried_.pop_back();
     record.move_m = greatest_move(graph.poses, graph_.poses);
     figures_.largest_correction_m = std::max(figures_.largest_correction_m, record.move_m);
     loops_.push_back(record);
@@ -69,10 +76,10 @@ void Registration::Impl::find_piece(std::vector<KeyPose>& before) {
 /// Cuts the tour where the robot was carried and lays the newest key at a pose, with all keys since
 /// as they lie about it.
 void Registration::Impl::lay_piece(const Pose& pose) {
-    const std::size_t first = carried_->first;
+    const std::size_t first = carried_.back().first;
     graph_.cut(first);
     // Scans of the new place that hang on the last key of the old one.
-    for (std::size_t scan = carried_->scan; scan < placed_.size(); ++scan) {
+    for (std::size_t scan = carried_.back().scan; scan < placed_.size(); ++scan) {
         Placed& placed = placed_[scan];
         if (placed.key >= first) continue;
         const Pose at = compose(graph_.poses[placed.key].pose, placed.pose_key_scan);

@@ -19,7 +19,9 @@ enum class LoopVerdict : std::uint8_t {
     no_edge,       ///< the scan alone says too little of any earlier one
     strained,      ///< the graph would be bent more than its edges explain
     by_hand,       ///< somebody has refused it
-    ambiguous      ///< of a piece that lies nobody knows where: another place is nearly as like
+    // Of the way since the robot may have been carried:
+    ambiguous,  ///< another place is nearly as like
+    unlike      ///< too little alike where nothing else speaks for it
 };
 /// For files: "closed", "poor-fit" …
 std::string_view word_of(LoopVerdict verdict);

@@ -140,7 +140,10 @@ struct DrivenBy {
 DrivenBy driven_by(const Registration& registration, const Trajectory& odometry) {
     DrivenBy driven;
     const std::span<const KeyPose> keys = registration.keys();
+    const std::vector<std::uint64_t> breaks = registration.figures().breaks;
     for (std::size_t k = 1; k < keys.size(); ++k) {
+        const auto since = std::ranges::upper_bound(breaks, keys[k - 1].scan);
+        if (since != breaks.end() && *since <= keys[k].scan) continue;  // it may have been carried
         driven.path_m += distance(keys[k - 1].pose, keys[k].pose);
         driven.odometry_m += distance(odometry[keys[k - 1].scan].pose, odometry[keys[k].scan].pose);
     }

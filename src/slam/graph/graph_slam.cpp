@@ -74,12 +74,18 @@ BelievedPose GraphSlam::believed() const {
 }
 
 void GraphSlam::add_key(const RegisteredStep& registered, AssociationRecord* record) {
-    if (registered.keys.size() != graph_.keys().size() + 1 ||
-        registered.edges.size() < graph_.edges().size()) {
+    if (registered.keys.size() != graph_.keys().size() + 1) {
         throw std::logic_error("graph-slam missed keys of registration");
     }
     graph_.add_key({pose_, registered.scan});
-    graph_.add_edges(registered.edges.subspan(graph_.edges().size()));
+    // Those of the key: where it shows that the robot was carried, earlier ones are gone, which the
+    // correction tells.
+    const std::size_t newest = registered.keys.size() - 1;
+    const auto behind =
+        std::ranges::find_if(registered.edges.rbegin(), registered.edges.rend(),
+                             [newest](const PoseEdge& edge) { return edge.to != newest; });
+    graph_.add_edges(
+        registered.edges.last(static_cast<std::size_t>(behind - registered.edges.rbegin())));
     since_key_ = {};
     add_sightings();
     window_.solve(graph_);

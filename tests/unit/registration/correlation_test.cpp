@@ -100,5 +100,45 @@ TEST(Correlation, SaysNothingBelowTheLeastScore) {
     EXPECT_TRUE(correlate(other, picture, {}, window, best - 0.02));
 }
 
+TEST(Correlation, FindsAllPlacesThatAreAlikeAndNoneElsewhere) {
+    const Walls room = test::recess_room();
+    const Pose second{20.0, 3.0, 2.0};
+    PointMap map;
+    map.begin({10.0, 0.0}, 40.0);
+    map.add(test::drawn_points(room, {}), {}, 0);
+    map.add(test::drawn_points(room, {}), second, 1);
+    map.build();
+    const CorrelationMap picture(map, 40.0, 6);
+    const Pose inside{0.2, -0.1, 0.3};
+    const std::vector<SurfacePoint> scan = test::drawn_points(room, inside);
+    const auto near = [](const Pose& a, const Pose& b) {
+        return std::hypot(a.x - b.x, a.y - b.y) < 0.15 &&
+               std::abs(wrap_angle(a.theta - b.theta)) < 0.03;
+    };
+    const PlacesWanted wanted{.least_score = 0.5};
+    const std::vector<Point2> everywhere{{0.0, 0.0}, {20.0, 3.0}, {10.0, -15.0}};
+    const std::vector<Correlation> both = best_places(scan, picture, everywhere, wanted).places;
+    ASSERT_GE(both.size(), 2U);
+    for (const Pose& pose : {inside, compose(second, inside)}) {
+        EXPECT_TRUE(near(both[0].pose, pose) || near(both[1].pose, pose));
+    }
+    EXPECT_GT(both[0].score, 0.8);
+    for (std::size_t i = 1; i < both.size(); ++i) {
+        EXPECT_LE(both[i].score, both[i - 1].score);
+        EXPECT_GE(both[i].score, 0.8 * both[0].score);
+    }
+
+    const std::vector<Correlation> one =
+        best_places(scan, picture, std::vector<Point2>{{19.0, 4.0}}, wanted).places;
+    ASSERT_FALSE(one.empty());
+    EXPECT_TRUE(near(one[0].pose, compose(second, inside)));
+    for (const Correlation& place : one) {
+        EXPECT_LT(std::abs(place.pose.x - 19.0), 4.0);  // within 3 m, and a square's side
+    }
+    const BestPlaces none = best_places(scan, picture, std::vector<Point2>{{10.0, -15.0}}, wanted);
+    EXPECT_TRUE(none.places.empty());
+    EXPECT_TRUE(none.all);
+}
+
 }  // namespace
 }  // namespace hitos

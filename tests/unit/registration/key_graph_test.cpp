@@ -43,6 +43,31 @@ TEST(KeyGraph, AJoinedPassageIsNear) {
     EXPECT_EQ(reach[5].way_m, GraphReach::kNever);
 }
 
+TEST(KeyGraph, NothingLeadsOverACutButALoop) {
+    KeyGraph graph = line_of(12, 0.01, 1e-4);
+    graph.join(2, 3);
+    graph.join(1, 9);
+    for (std::uint32_t key = 1; key < 12; ++key) graph.edges.push_back({key - 1, key, {}});
+    graph.edges.push_back({0, 8, {}, {}, EdgeKind::by_hand});
+    graph.cut(6);
+    EXPECT_EQ(graph.part_begin(5), 0U);
+    EXPECT_EQ(graph.part_begin(6), 6U);
+    EXPECT_EQ(graph.part_begin(11), 6U);
+    EXPECT_EQ(graph.edges.size(), 11U);  // the step from 5 to 6 alone is gone
+    std::vector<GraphReach> reach;
+    graph.reach(11, reach);
+    EXPECT_LT(reach[6].way_m, 5.1);
+    EXPECT_EQ(reach[5].way_m, GraphReach::kNever);
+    EXPECT_EQ(reach[1].way_m, GraphReach::kNever);
+    std::vector<std::uint32_t> selected;
+    select_keys(graph, 12, graph.poses[11].pose, 30, reach, 6.0, selected);
+    EXPECT_EQ(selected, (std::vector<std::uint32_t>{6, 7, 8, 9, 10, 11}));
+
+    graph.join(3, 9);
+    graph.reach(11, reach);
+    EXPECT_NEAR(reach[2].way_m, 2.0 + 0.1 + 0.1, 1e-9);
+}
+
 TEST(KeyGraph, TheLocalMapHasTheNewestKeysAndTheNearestOfAnEarlierPassage) {
     KeyGraph graph = line_of(40, 0.01, 1e-4);
     graph.join(0, 39);

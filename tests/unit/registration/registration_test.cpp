@@ -145,6 +145,86 @@ TEST(Registration, SaysThatARobotWasCarried) {
     EXPECT_EQ(registration.figures().breaks.front(), carried);
 }
 
+/// Two laps, the second one begun where `put_down` says, of the first one's poses; the wheels say
+/// nothing of it.
+struct Carried {
+    std::vector<Pose> truth;
+    std::size_t at = 0;
+    Registration registration;
+};
+Carried carried_to(const Walls& walls, const std::vector<Point2>& way, std::size_t put_down) {
+    Carried carried{round_tour(way, 1), 0, Registration{RegistrationParams{}}};
+    carried.at = carried.truth.size();
+    const std::vector<Pose> again = round_tour(way, 2);
+    carried.truth.insert(carried.truth.end(), again.begin() + static_cast<std::ptrdiff_t>(put_down),
+                         again.end());
+    std::mt19937 engine(9);
+    for (std::size_t i = 0; i < carried.truth.size(); ++i) {
+        std::vector<Control> controls;
+        if (i == carried.at) {
+            controls.push_back({twist_between({0.05, 0.0, 0.0}, 1.0), 1.0});
+        } else if (i > 0) {
+            controls.push_back(test::control_between(carried.truth[i - 1], carried.truth[i]));
+        }
+        carried.registration.add(test::drawn_scan(walls, carried.truth[i], 0.005, &engine),
+                                 controls);
+    }
+    return carried;
+}
+
+TEST(Registration, FindsARobotThatWasCarried) {
+    Carried carried = carried_to(ring_walls(), kRing, 20);
+    ASSERT_FALSE(carried.registration.figures().breaks.empty());
+    EXPECT_EQ(carried.registration.figures().breaks.front(), carried.at);
+    const auto joins = [&](const LoopRecord& loop) {
+        return loop.earlier < carried.at && carried.at <= loop.scan;
+    };
+    const std::vector<LoopRecord>& loops = carried.registration.loops();
+    const auto found = std::ranges::find_if(loops, joins);
+    ASSERT_NE(found, loops.end());
+    const Pose true_pose = between(carried.truth[found->earlier], carried.truth[found->scan]);
+    EXPECT_NEAR(found->pose_earlier_scan.x, true_pose.x, 0.1);
+    EXPECT_NEAR(found->pose_earlier_scan.y, true_pose.y, 0.1);
+    EXPECT_NEAR(wrap_angle(found->pose_earlier_scan.theta - true_pose.theta), 0.0, 0.02);
+    // All of the piece is laid there, the scans before its first key among it, and no edge says
+    // that the robot drove where it was carried.
+    const std::vector<Pose> path = carried.registration.path();
+    EXPECT_LT(greatest_path_error(path, carried.truth), 0.15);
+    for (const PoseEdge& edge : carried.registration.edges()) {
+        if (edge.kind != EdgeKind::odometry) continue;
+        const std::span<const KeyPose> keys = carried.registration.keys();
+        EXPECT_FALSE(keys[edge.from].scan < carried.at && carried.at <= keys[edge.to].scan);
+    }
+    carried.registration.finish();
+    EXPECT_LT(greatest_path_error(carried.registration.path(), carried.truth), 0.1);
+}
+
+TEST(Registration, IsNotFoundInOneOfTwoPlacesThatAreAlike) {
+    // Half a turn takes this ring onto itself; the recess tells its corners from its sides.
+    Walls walls = test::closed({{-1, -1},
+                                {6, -1},
+                                {6, -2},
+                                {8, -2},
+                                {8, -1},
+                                {15, -1},
+                                {15, 11},
+                                {8, 11},
+                                {8, 12},
+                                {6, 12},
+                                {6, 11},
+                                {-1, 11}});
+    const Walls block = test::closed({{1, 1}, {13, 1}, {13, 9}, {1, 9}});
+    walls.insert(walls.end(), block.begin(), block.end());
+    const Carried carried = carried_to(walls, kRing, 20);
+    ASSERT_FALSE(carried.registration.figures().breaks.empty());
+    const std::vector<LoopRecord>& refused = carried.registration.refused_loops();
+    EXPECT_TRUE(std::ranges::any_of(
+        refused, [](const LoopRecord& loop) { return loop.verdict == LoopVerdict::ambiguous; }));
+    for (const LoopRecord& loop : carried.registration.loops()) {
+        EXPECT_LT(loop.move_m, 0.5) << loop.scan;  // nothing is laid anywhere else
+    }
+}
+
 TEST(Registration, OdometryThatBeginsAnewWhileTheRobotStandsIsPassedOver) {
     const std::vector<Pose> truth = round_tour(kRing, 1);
     Registration registration{RegistrationParams{}};
@@ -268,9 +348,10 @@ TEST(Registration, ALoopThatWouldStretchTheGraphIsRefused) {
     const Registration sure = after_blindness(off, 20, 1.0, 0.05, 0.7);
     EXPECT_TRUE(sure.loops().empty());
     EXPECT_EQ(sure.figures().largest_correction_m, 0.0);
-    ASSERT_FALSE(sure.refused_loops().empty());
-    EXPECT_EQ(sure.figures().loops_refused, sure.refused_loops().size());
+    EXPECT_GT(sure.figures().loops_refused, 0U);
     for (const LoopRecord& refused : sure.refused_loops()) {
+        // Where nothing fitted the robot may have been carried: that is looked for too.
+        if (refused.verdict == LoopVerdict::alone) continue;
         EXPECT_EQ(refused.verdict, LoopVerdict::strained);
         EXPECT_GT(refused.chi_square.value(), 2.0 * unsure.loops().front().chi_square.value());
         EXPECT_EQ(refused.move_m, 0.0);

@@ -79,7 +79,7 @@ TEST(RunLoops, AreRowsWithWhatThereIs) {
 }
 
 TEST(LoopVerdicts, AreReadAsWritten) {
-    for (int i = 0; i <= static_cast<int>(LoopVerdict::by_hand); ++i) {
+    for (int i = 0; i <= static_cast<int>(LoopVerdict::unlike); ++i) {
         const auto verdict = static_cast<LoopVerdict>(i);
         EXPECT_EQ(verdict_of(word_of(verdict)), verdict);
         EXPECT_FALSE(reason_of(record(1, 0, {}, verdict)).english().empty());
