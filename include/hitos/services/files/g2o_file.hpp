@@ -1,42 +1,39 @@
 // Graphs of poses and landmarks as g2o's text files.
 #pragma once
 
-#include <Eigen/Core>
-#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "hitos/features/caracteristica.hpp"
+#include "hitos/slam/planar_graph.hpp"
 
 namespace hitos {
 
-/// The pose `to` as seen from the pose `from`; the information of (x, y, theta) in the axes of z
-/// [1/m^2, 1/m^2, 1/rad^2].
-struct GraphStep {
-    std::size_t from = 0;
-    std::size_t to = 0;
-    Pose z;
-    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+/// Lines of a tag that is not read.
+struct UnreadLines {
+    std::string tag;
+    std::uint64_t lines = 0;
 };
 
-/// A landmark as the robot saw it from a pose, in its frame, with the covariance of (rho, theta)
-/// or (x, y) [m, rad]. A line has the normal that points as the landmark's does.
-struct GraphSighting {
-    std::size_t pose = 0;
-    std::size_t landmark = 0;
-    ICaracteristica seen;
+struct G2oFile {
+    PlanarGraph graph;
+    std::vector<UnreadLines> unread;  ///< by their tags; of very many the last is of all others
 };
 
-struct LandmarkGraphFile {
-    std::vector<Pose> poses;
-    LandmarkMap map;
-    std::vector<GraphStep> steps;
-    std::vector<GraphSighting> sightings;
-};
+/// "VERTEX_SE2", "EDGE_SE2" …
+std::string_view g2o_tag(PlanarVertex::Kind kind);
+std::string_view g2o_tag(PlanarEdge::Kind kind);
 
-/// The text of a graph: VERTEX_SE2 of every pose, by its number; then VERTEX_XY of corners and
-/// VERTEX_LINE2D of lines, by the number of poses and their own in the map; EDGE_SE2, EDGE_SE2_XY
-/// and EDGE_SE2_LINE2D; the first pose is fixed. Throws Error for a number that is not finite.
-std::string g2o_text(const LandmarkGraphFile& graph);
+/// Vertices and edges in the file's order, which may be any; plain or gzip. Throws FileError where
+/// there is none to be read, and FormatError with the line that is none, contradicts another or
+/// names a vertex that is not there, and where there is no pose.
+G2oFile read_g2o(const std::filesystem::path& path);
+G2oFile parse_g2o(std::string_view text, const std::string& name);
+
+/// The text of a graph: vertices, those that are fixed, edges, each in their order. It reads back
+/// as the same to the last bit. Throws Error for a number that is not finite.
+std::string g2o_text(const PlanarGraph& graph);
 
 }  // namespace hitos
