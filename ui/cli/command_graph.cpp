@@ -125,7 +125,7 @@ void tell_solution(Report& report, const PlanarGraph& graph, const PlanarSolutio
 
 /// The edges of the greatest errors.
 std::vector<std::size_t> tell_worst(Report& report, const PlanarGraph& graph, std::size_t most) {
-    const std::vector<std::size_t> edges = worst_edges(graph, most);
+    std::vector<std::size_t> edges = worst_edges(graph, most);
     nlohmann::ordered_json& told = report.object()["worst"] = nlohmann::ordered_json::array();
     for (const std::size_t i : edges) {
         const PlanarEdge& edge = graph.edges[i];

@@ -63,11 +63,6 @@ constexpr std::array kEdgeTags{
     EdgeTag{"EDGE_PRIOR_XY", EdgeKind::point_prior, VertexKind::point,
             G2oWords(kSeenPointColumns).subspan(1)}};
 
-std::string_view word_of(VertexKind kind) {
-    constexpr std::array<std::string_view, 3> kWords{"pose", "point", "line"};
-    return kWords.at(static_cast<std::size_t>(kind));
-}
-
 class G2oReader {
   public:
     explicit G2oReader(const std::string& name) : name_(name) {}
@@ -233,8 +228,8 @@ class G2oReader {
         const std::uint32_t vertex = vertex_of(named);
         const VertexKind is = file_.graph.vertices[vertex].kind;
         if (is != kind) {
-            fail(named.line, message(HITOS_TEXT("Errors", "vertex %1 is a %2; expected a %3"),
-                                     named.id, word_of(is), word_of(kind)));
+            fail(named.line, message(HITOS_TEXT("Errors", "vertex %1 is of %2; expected one of %3"),
+                                     named.id, g2o_tag(is), g2o_tag(kind)));
         }
         return vertex;
     }

@@ -14,6 +14,7 @@
 namespace hitos {
 namespace {
 
+constexpr int kMostPlanarSteps = 200;
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 /// Which vertices edges tie to each other: a leader for each, the first of its part.
@@ -58,7 +59,7 @@ class PlanarSolver {
         if (equations_.variables() > 0) {
             check_size();
             start();
-            iterate();
+            iterate(kMostPlanarSteps);
         }
         solution_.converged = solution_.converged || equations_.variables() == 0;
         solution_.chi_square_after = chi_square(graph_);
@@ -113,20 +114,26 @@ class PlanarSolver {
     }
 
     /// Odometry that drifts begins so far off that steps may end in a wrong place; where the fewest
-    /// edges from what is held have everything is nearer. Robust steps begin where plain ones end:
-    /// far off nearly all edges have lost their weight.
+    /// edges from what is held have everything is nearer. Far off all edges would lose their
+    /// weight: robust steps begin where plain ones end, and lose it step by step (Yang et al.,
+    /// 2020).
     void start() {
+        constexpr int kFewSteps = 5;
+        constexpr double kNarrower = 4.0;
         offer(along_edges(graph_, roots_));
         if (!robust_) return;
-        std::vector<PlanarVertex> plain = graph_.vertices;
+        std::vector<PlanarVertex> found = graph_.vertices;
         robust_ = false;
-        loss_ = loss();
-        iterate();
+        iterate(kMostPlanarSteps);
         robust_ = true;
-        solution_.converged = false;
-        std::swap(plain, graph_.vertices);
+        for (const PlanarEdge& edge : graph_.edges) {
+            width_ = std::max(width_, mahalanobis_squared(graph_, edge));
+        }
+        for (; width_ > 1.0; width_ /= kNarrower) iterate(kFewSteps);
+        width_ = 1.0;
+        std::swap(found, graph_.vertices);
         loss_ = loss();
-        offer(std::move(plain));
+        offer(std::move(found));
     }
 
     /// A line is turned about what was seen of it (LocalCoordinates): before the first pose that
@@ -150,7 +157,7 @@ class PlanarSolver {
         double sum = 0.0;
         for (const PlanarEdge& edge : graph_.edges) {
             const double d2 = mahalanobis_squared(graph_, edge);
-            sum += robust_ && !edge.by_hand ? robust_loss(d2) : d2;
+            sum += robust_ && !edge.by_hand ? width_ * robust_loss(d2 / width_) : d2;
         }
         return sum;
     }
@@ -164,8 +171,8 @@ class PlanarSolver {
         for (const PlanarEdge& edge : graph_.edges) {
             PlanarError error = planar_error(graph_, edge);
             if (robust_ && !edge.by_hand) {
-                error.information *=
-                    robust_weight(error.value.dot(error.information * error.value));
+                const double d2 = error.value.dot(error.information * error.value);
+                error.information *= robust_weight(d2 / width_);
             }
             if (edge.kind == PlanarEdge::Kind::line) {
                 // From (rho, theta).
@@ -223,8 +230,7 @@ class PlanarSolver {
             kMillions));
     }
 
-    void iterate() {
-        constexpr int kMostSteps = 200;
+    void iterate(int most) {
         constexpr double kStill = 1e-9;     // [m, rad]
         constexpr double kRounding = 1e-4;  // [m, rad]: so small a step that helps nothing is noise
         // Damping, in units of the greatest information.
@@ -241,10 +247,12 @@ class PlanarSolver {
             solution_.converged = true;  // nothing says anything
             return;
         }
+        loss_ = loss();
+        solution_.converged = false;
         double least = kLeast;
         double damping = least;
         std::vector<PlanarVertex> places;
-        for (int step = 0; step < kMostSteps && damping <= kMost; ++step) {
+        for (int step = 0; step < most && damping <= kMost; ++step) {
             ++solution_.steps;
             sum(damping * unit);
             places = graph_.vertices;
@@ -274,6 +282,7 @@ class PlanarSolver {
 
     PlanarGraph& graph_;
     bool robust_;
+    double width_ = 1.0;  // of the robust loss, squared
     double loss_ = 0.0;
     NormalEquations equations_;
     std::vector<std::size_t> variables_;  // of vertices; kNone: does not move

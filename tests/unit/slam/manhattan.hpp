@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "hitos/base/geometry.hpp"
 #include "hitos/base/random_stream.hpp"
+#include "hitos/features/caracteristica.hpp"
 #include "hitos/slam/planar_graph.hpp"
 
 namespace hitos::test {

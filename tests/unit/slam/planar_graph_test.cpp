@@ -267,7 +267,7 @@ PlanarGraph row() {
     PlanarGraph graph;
     for (std::uint32_t i = 0; i < 4; ++i) {
         PlanarVertex& vertex = graph.vertices.emplace_back();
-        vertex.id = 10U * (i + 1);
+        vertex.id = std::uint64_t{10} * (i + 1);
         vertex.at << i, 0.0, 0.0;
         PlanarEdge& edge = graph.edges.emplace_back();
         edge.from = i;

@@ -130,10 +130,11 @@ TEST(G2oFile, SaysWhatIsWrongWithALine) {
     EXPECT_THAT(fourth("FIX 0 6"), StartsWith("some.g2o:4: names vertex 6"));
     EXPECT_THAT(fourth("EDGE_PRIOR_XY 6 0 0 1 0 1"), HasSubstr("names vertex 6"));
     EXPECT_THAT(fourth("EDGE_SE2 1 2 0 0 0 1 0 0 1 0 1"),
-                HasSubstr("vertex 2 is a point; expected a pose"));
+                HasSubstr("vertex 2 is of VERTEX_XY; expected one of VERTEX_SE2"));
     EXPECT_THAT(fourth("EDGE_SE2_XY 2 0 0 0 1 0 1"),
-                HasSubstr("vertex 0 is a pose; expected a point"));
-    EXPECT_THAT(fourth("EDGE_SE2_LINE2D 0 2 0 0 1 0 1"), HasSubstr("expected a line"));
+                HasSubstr("vertex 0 is of VERTEX_SE2; expected one of VERTEX_XY"));
+    EXPECT_THAT(fourth("EDGE_SE2_LINE2D 0 2 0 0 1 0 1"),
+                HasSubstr("expected one of VERTEX_LINE2D"));
     EXPECT_THAT(fourth("EDGE_SE2 0 1 0 0 0 1 2 0 1 0 1"),
                 HasSubstr("the information has the eigenvalue -1; expected none below 0"));
     EXPECT_THAT(fourth("EDGE_SE2_XY 0 2 0 0 1 0 -1"), HasSubstr("the eigenvalue -1"));
