@@ -13,6 +13,7 @@
 
 #include "graph/planar_error.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/random_stream.hpp"
 #include "hitos/registration/graph_edit.hpp"
 #include "manhattan.hpp"
 #include "support.hpp"
@@ -241,6 +242,23 @@ TEST(PlanarGraph, AFalseEdgeBendsARobustOneNot) {
     EXPECT_GT(error_with(false), 0.5);
 }
 
+TEST(PlanarGraph, ManyFalseLoopsAreSeenThrough) {
+    constexpr std::uint32_t kFalse = 20;
+    PlanarGraph graph = ManhattanWorld({.poses = 3500}).graph;
+    RandomStream random(3, RandomPurpose::association, 0, 0);
+    for (std::uint32_t i = 0; i < kFalse; ++i) {
+        PlanarEdge edge = graph.edges.front();
+        edge.from = random.next() % 1700U;
+        edge.to = 1800U + random.next() % 1700U;
+        edge.z.setZero();
+        graph.edges.push_back(edge);
+    }
+    EXPECT_TRUE(solve(graph, true).converged);
+    const std::vector<std::size_t> worst = worst_edges(graph, kFalse + 1);
+    for (std::uint32_t i = 0; i < kFalse; ++i) EXPECT_GE(worst[i], graph.edges.size() - kFalse);
+    EXPECT_LT(mahalanobis_squared(graph, graph.edges[worst.back()]), 50.0);
+}
+
 TEST(PlanarGraph, TellsTheWorstEdgesInOrder) {
     const PlanarGraph graph = small_world();
     const std::vector<std::size_t> worst = worst_edges(graph, 5);
@@ -260,6 +278,21 @@ TEST(PlanarGraph, RefusesErrorsBeyondReckoning) {
     edge.z << 1e200, 0.0, 0.0;
     edge.information = Eigen::Vector3d(1.0, 1.0, 1.0).asDiagonal();
     EXPECT_THAT(message_of<Error>([&] { solve(graph, false); }), HasSubstr("beyond reckoning"));
+}
+
+TEST(PlanarGraph, RefusesWhatWouldTakeAllMemory) {
+    constexpr std::uint32_t kPoses = 30'000;
+    PlanarGraph graph;
+    graph.vertices.resize(kPoses);
+    RandomStream random(1, RandomPurpose::association, 0, 0);
+    for (std::uint32_t i = 0; i < 3 * kPoses; ++i) {
+        PlanarEdge& edge = graph.edges.emplace_back();
+        edge.from = i % kPoses;
+        edge.to = (edge.from + 1 + random.next() % (kPoses - 1)) % kPoses;
+        edge.information = Eigen::Matrix3d::Identity();
+    }
+    EXPECT_THAT(message_of<Error>([&] { solve(graph, false); }),
+                HasSubstr("takes more than 100 million numbers"));
 }
 
 /// 0 to 3 in a row, with the ids 10 to 40, and an edge from 40 back to 10.
