@@ -73,6 +73,9 @@ class GraphFigure {
         for (const PlanarVertex& vertex : graph_.vertices) {
             if (vertex.kind != PlanarVertex::Kind::line) world.hold(vertex.point());
         }
+        for (const PlanarEdge& edge : graph_.edges) {
+            if (edge.kind == PlanarEdge::Kind::line) world.hold(before(edge));
+        }
         constexpr double kLeast = 1.0;  // [m]
         const double wide = std::max(world.high.x - world.low.x, kLeast);
         const double high = std::max(world.high.y - world.low.y, kLeast);
@@ -121,8 +124,9 @@ class GraphFigure {
         }
         for (const std::size_t i : marked) {
             const PlanarEdge& edge = graph_.edges[i];
-            if (graph_.vertices[edge.to].kind == PlanarVertex::Kind::line) continue;
-            if (edge.prior()) {
+            if (edge.kind == PlanarEdge::Kind::line) {
+                worst.lines.push_back({at(edge.from), placement_.at(before(edge))});
+            } else if (edge.prior()) {
                 worst.lines.push_back({placement_.at({edge.z(0), edge.z(1)}), at(edge.to)});
             } else {
                 worst.lines.push_back({at(edge.from), at(edge.to)});
@@ -159,6 +163,11 @@ class GraphFigure {
         }
         add(std::move(lines), "lines");
         add(std::move(points), "points");
+    }
+    /// Of a line, what lies before the pose that sees it.
+    Point2 before(const PlanarEdge& edge) const {
+        const PreparedRecta line = line_of(edge.to);
+        return line.at(line.along(graph_.vertices[edge.from].point()));
     }
     PreparedRecta line_of(std::size_t vertex) const {
         const Eigen::Vector3d& value = graph_.vertices[vertex].at;
