@@ -145,6 +145,14 @@ std::optional<double> parse_number(std::string_view text) {
     return value;
 }
 
+std::optional<std::uint64_t> parse_whole(std::string_view text) {
+    std::uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (stop != end || error != std::errc{}) return std::nullopt;
+    return value;
+}
+
 bool has_decimal_comma(std::string_view word) {
     const std::size_t comma = word.find(',');
     const auto is_digit = [&](std::size_t at) {

@@ -20,8 +20,12 @@ constexpr double kMostScans = 1e15;
 constexpr double kFarthest = 1e6;         // [m]; no tour is longer
 constexpr std::size_t kMostEdits = 1000;  // each is compared with every other
 
-ConfigError wrong(std::size_t number, const Message& why) {
-    return {kGraphEditsKey, HITOS_TEXT("Errors", "change %1: %2"), number, why};
+/// What changes count.
+enum class Counted : std::uint8_t { scans, vertices };
+
+ConfigError wrong(Counted what, std::size_t number, const Message& why) {
+    return {what == Counted::scans ? kGraphEditsKey : kEditsOption,
+            HITOS_TEXT("Errors", "change %1: %2"), number, why};
 }
 
 /// "812@65.25"
@@ -38,9 +42,23 @@ std::optional<EditedScan> scan_of(std::string_view word) {
     return scan;
 }
 
-GraphEdit edit_of(std::string_view text, std::size_t number) {
+std::optional<EditedScan> vertex_of(std::string_view word) {
+    const auto id = input::parse_whole(word);
+    return id ? std::optional(EditedScan{*id}) : std::nullopt;
+}
+
+GraphEdit edit_of(std::string_view text, std::size_t number, Counted what) {
     const auto refuse = [&] {
-        return wrong(number,
+        if (what == Counted::vertices) {
+            return wrong(what, number,
+                         message(HITOS_TEXT("Errors",
+                                            "found %1; expected \"refuse A B\", \"close A B X Y "
+                                            "THETA\", \"fix A X Y THETA\" or \"slip A\", A and B "
+                                            "ids of poses, X and Y in metres, THETA in rad from "
+                                            "-2 pi to 2 pi"),
+                                 input::in_quotes(text)));
+        }
+        return wrong(what, number,
                      message(HITOS_TEXT("Errors",
                                         "found %1; expected \"refuse SCAN EARLIER\", \"close SCAN "
                                         "EARLIER X Y THETA\", \"fix SCAN X Y THETA\" or \"slip "
@@ -57,7 +75,8 @@ GraphEdit edit_of(std::string_view text, std::size_t number) {
     if (words.size() != count) throw refuse();
     std::size_t next = 1;
     const auto take_scan = [&] {
-        const auto scan = scan_of(words[next++]);
+        const std::string_view word = words[next++];
+        const auto scan = what == Counted::scans ? scan_of(word) : vertex_of(word);
         if (!scan) throw refuse();
         return *scan;
     };
@@ -80,11 +99,77 @@ std::string text_of(const EditedScan& scan) {
 }
 
 /// Of two changes only one can be so.
-bool contradict(const GraphEdit& a, const GraphEdit& b) {
+bool contradict(const GraphEdit& a, const GraphEdit& b, Counted what) {
     if (a.of_two() && b.of_two()) {
-        return a.scan.scan == b.scan.scan && a.earlier.scan == b.earlier.scan;
+        return (a.scan.scan == b.scan.scan && a.earlier.scan == b.earlier.scan) ||
+               (what == Counted::vertices && a.scan.scan == b.earlier.scan &&
+                a.earlier.scan == b.scan.scan);
     }
     return a.kind == b.kind && a.scan.scan == b.scan.scan;
+}
+
+/// Of scans, which have an order and begin where the map does.
+void check_order(const GraphEdit& edit, std::size_t number) {
+    if (edit.of_two() && edit.earlier.scan >= edit.scan.scan) {
+        throw wrong(Counted::scans, number,
+                    message(HITOS_TEXT("Errors",
+                                       "scan %1 is said to come back to scan %2; expected an "
+                                       "earlier one"),
+                            edit.scan.scan + 1, edit.earlier.scan + 1));
+    }
+    if (!edit.of_two() && edit.scan.scan == 0) {
+        throw wrong(Counted::scans, number,
+                    marked(HITOS_TEXT("Errors",
+                                      "the first scan is where the map begins: it can "
+                                      "neither be fixed elsewhere nor slip")));
+    }
+}
+
+void check(std::span<const GraphEdit> edits, Counted what) {
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+        const GraphEdit& edit = edits[i];
+        if (what == Counted::scans) check_order(edit, i + 1);
+        if (edit.of_two() && edit.earlier.scan == edit.scan.scan) {
+            throw wrong(what, i + 1,
+                        message(HITOS_TEXT("Errors", "names pose %1 twice; expected two poses"),
+                                edit.scan.scan));
+        }
+        const std::span before = edits.first(i);
+        const auto other = std::ranges::find_if(
+            before, [&](const GraphEdit& one) { return contradict(one, edit, what); });
+        if (other == before.end()) continue;
+        const std::ptrdiff_t number = other - before.begin() + 1;
+        throw wrong(
+            what, i + 1,
+            what == Counted::scans
+                ? message(HITOS_TEXT("Errors", "is of the same scans as change %1"), number)
+                : message(HITOS_TEXT("Errors", "is of the same poses as change %1"), number));
+    }
+}
+
+std::vector<GraphEdit> parsed(std::string_view text, Counted what) {
+    const char* const key = what == Counted::scans ? kGraphEditsKey : kEditsOption;
+    std::vector<GraphEdit> edits;
+    while (const auto line = input::next_line(text)) {
+        const std::size_t sign = std::min(line->find('#'), line->size());
+        std::string_view rest = line->substr(0, sign);
+        const std::size_t before = edits.size();
+        while (!rest.empty()) {
+            const std::size_t end = std::min(rest.find(';'), rest.size());
+            const std::string_view change = input::trimmed(rest.substr(0, end));
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+            if (change.empty()) continue;
+            if (edits.size() == kMostEdits) {
+                throw ConfigError(key, HITOS_TEXT("Errors", "found more than %1 changes"),
+                                  kMostEdits);
+            }
+            edits.push_back(edit_of(change, edits.size() + 1, what));
+        }
+        if (edits.size() > before && sign < line->size())
+            edits.back().comment = on_one_line(input::trimmed(line->substr(sign + 1)));
+    }
+    check(edits, what);
+    return edits;
 }
 
 }  // namespace
@@ -100,27 +185,11 @@ std::optional<GraphEdit::Kind> edit_kind_of(std::string_view word) {
 }
 
 std::vector<GraphEdit> parse_graph_edits(std::string_view text) {
-    std::vector<GraphEdit> edits;
-    while (const auto line = input::next_line(text)) {
-        const std::size_t sign = std::min(line->find('#'), line->size());
-        std::string_view rest = line->substr(0, sign);
-        const std::size_t before = edits.size();
-        while (!rest.empty()) {
-            const std::size_t end = std::min(rest.find(';'), rest.size());
-            const std::string_view change = input::trimmed(rest.substr(0, end));
-            rest.remove_prefix(std::min(end + 1, rest.size()));
-            if (change.empty()) continue;
-            if (edits.size() == kMostEdits) {
-                throw ConfigError(kGraphEditsKey,
-                                  HITOS_TEXT("Errors", "found more than %1 changes"), kMostEdits);
-            }
-            edits.push_back(edit_of(change, edits.size() + 1));
-        }
-        if (edits.size() > before && sign < line->size())
-            edits.back().comment = on_one_line(input::trimmed(line->substr(sign + 1)));
-    }
-    check_graph_edits(edits);
-    return edits;
+    return parsed(text, Counted::scans);
+}
+
+std::vector<GraphEdit> parse_vertex_edits(std::string_view text) {
+    return parsed(text, Counted::vertices);
 }
 
 std::string text_of(std::span<const GraphEdit> edits) {
@@ -138,27 +207,7 @@ std::string text_of(std::span<const GraphEdit> edits) {
 }
 
 void check_graph_edits(std::span<const GraphEdit> edits) {
-    for (std::size_t i = 0; i < edits.size(); ++i) {
-        const GraphEdit& edit = edits[i];
-        if (edit.of_two() && edit.earlier.scan >= edit.scan.scan) {
-            throw wrong(i + 1,
-                        message(HITOS_TEXT("Errors",
-                                           "scan %1 is said to come back to scan %2; expected an "
-                                           "earlier one"),
-                                edit.scan.scan + 1, edit.earlier.scan + 1));
-        }
-        if (!edit.of_two() && edit.scan.scan == 0) {
-            throw wrong(i + 1, marked(HITOS_TEXT("Errors",
-                                                 "the first scan is where the map begins: it can "
-                                                 "neither be fixed elsewhere nor slip")));
-        }
-        const std::span before = edits.first(i);
-        const auto other = std::ranges::find_if(
-            before, [&](const GraphEdit& one) { return contradict(one, edit); });
-        if (other == before.end()) continue;
-        throw wrong(i + 1, message(HITOS_TEXT("Errors", "is of the same scans as change %1"),
-                                   other - before.begin() + 1));
-    }
+    check(edits, Counted::scans);
 }
 
 bool same_change(const GraphEdit& a, const GraphEdit& b) {

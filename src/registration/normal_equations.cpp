@@ -58,6 +58,36 @@ void NormalEquations::order_variables() {
     }
 }
 
+bool NormalEquations::factor_fits(std::uint64_t most) {
+    order_variables();
+    const std::size_t count = order_.size();
+    std::vector<std::vector<std::size_t>> before(count);  // ranks of what each is joined to
+    for (const Noted& noted : noted_) {
+        if (noted.row == noted.column) continue;
+        const auto [first, second] =
+            std::minmax(variables_[noted.row].rank, variables_[noted.column].rank);
+        before[static_cast<std::size_t>(second)].push_back(static_cast<std::size_t>(first));
+    }
+    // Row by row up the elimination tree (Liu, 1990).
+    std::vector<std::size_t> parent(count, count);
+    std::vector<std::size_t> row_of(count, count);
+    std::uint64_t numbers = 0;
+    for (std::size_t row = 0; row < count; ++row) {
+        const auto height = static_cast<std::uint64_t>(variables_[order_[row]].size);
+        row_of[row] = row;
+        numbers += height * height;
+        for (std::size_t column : before[row]) {
+            for (; row_of[column] != row; column = parent[column]) {
+                row_of[column] = row;
+                if (parent[column] == count) parent[column] = row;
+                numbers += height * static_cast<std::uint64_t>(variables_[order_[column]].size);
+            }
+            if (numbers > most) return false;
+        }
+    }
+    return true;
+}
+
 void NormalEquations::lay_out() {
     order_variables();
     // The blocks below the diagonal: column and row in the order of elimination, and which they

@@ -14,21 +14,18 @@ namespace hitos {
 void Registration::Impl::edit_graph(std::vector<KeyPose>& before) {
     const std::vector<GraphEdit> edits = editor_.of_newest(graph_);
     if (edits.empty()) return;
-    // As sure as an eye lays passages on each other, and as one is of a place that is known.
-    const Eigen::Vector3d by_eye(0.05, 0.05, 0.01);  // [m, m, rad]
-    const Eigen::Vector3d known(0.01, 0.01, 0.002);
     const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
     before = graph_.poses;
     const std::size_t first_edge = graph_.edges.size();
     const std::size_t first_loop = loops_.size();
-    const auto hold = [&](std::uint32_t from, const Pose& z, const Eigen::Vector3d& sigmas) {
-        const Eigen::Vector3d information = sigmas.cwiseAbs2().cwiseInverse();
+    const auto hold = [&](std::uint32_t from, const Pose& z, GraphEdit::Kind kind) {
+        const Eigen::Vector3d information = sigmas_by_hand(kind).cwiseAbs2().cwiseInverse();
         graph_.edges.push_back(
             {from, newest, z, information.asDiagonal().toDenseMatrix(), EdgeKind::by_hand});
     };
     for (const GraphEdit& edit : edits) {
         if (edit.kind == GraphEdit::Kind::fix) {
-            hold(0, between(graph_.poses.front().pose, edit.pose), known);
+            hold(0, between(graph_.poses.front().pose, edit.pose), edit.kind);
             continue;
         }
         const auto earlier = static_cast<std::uint32_t>(
@@ -42,7 +39,7 @@ void Registration::Impl::edit_graph(std::vector<KeyPose>& before) {
         record.by_hand = true;
         closer_.measure(graph_, newest, earlier, record);
         loops_.push_back(record);
-        hold(earlier, edit.pose, by_eye);
+        hold(earlier, edit.pose, edit.kind);
         graph_.join(earlier, newest);
         believe(earlier);
     }

@@ -398,7 +398,8 @@ TEST_F(CommandLine, ADashIsNoNameToWriteTo) {
              "simulate corridor --truth -", "simulate corridor --picture -",
              "simulate corridor --reference -", "study corridor --vary p=3 --out -",
              "study merge -", "relations run/trajectory.tum --out -", "reproduce --out -",
-             "reproduce --report -", "evaluate --map run/map.txt --distances x --out -"}) {
+             "graph g --out -", "reproduce --report -",
+             "evaluate --map run/map.txt --distances x --out -"}) {
         const Outcome outcome = shell(fmt::format("{}{} {}", there, cli_, line));
         EXPECT_EQ(outcome.status, 64) << line;
         EXPECT_THAT(outcome.output,

@@ -13,6 +13,7 @@ void add_check(CLI::App& program);
 void add_compare(CLI::App& program);
 void add_evaluate(CLI::App& program);
 void add_relations(CLI::App& program);
+void add_graph(CLI::App& program);
 void add_study(CLI::App& program);
 void add_simulate(CLI::App& program);
 void add_world(CLI::App& program);

@@ -42,6 +42,10 @@ std::optional<std::string_view> next_line(std::string_view& rest);
 /// numbers beyond the range of a double.
 std::optional<double> parse_number(std::string_view text);
 
+/// The whole number, of digits alone, that is the whole text; nothing for other text and beyond 64
+/// bits.
+std::optional<std::uint64_t> parse_whole(std::string_view text);
+
 /// Whether the word is a number but for a comma in the place of its point, as programs write it
 /// under the settings of many languages.
 bool has_decimal_comma(std::string_view word);

@@ -1,6 +1,7 @@
 // What somebody changes by hand in the graph of a tour.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,6 +14,7 @@
 namespace hitos {
 
 inline constexpr const char* kGraphEditsKey = "registration.edits";
+inline constexpr const char* kEditsOption = "--edits";
 
 /// A scan of the tour, from 0, and its stamp where it was noted: a change belongs to one tour.
 struct EditedScan {
@@ -40,6 +42,13 @@ struct GraphEdit {
     friend bool operator==(const GraphEdit&, const GraphEdit&) = default;
 };
 
+/// Standard deviations of what somebody says [m, m, rad]: as sure as an eye lays passages on each
+/// other, and as one is of a place that is known.
+inline Eigen::Vector3d sigmas_by_hand(GraphEdit::Kind kind) {
+    return kind == GraphEdit::Kind::fix ? Eigen::Vector3d(0.01, 0.01, 0.002)
+                                        : Eigen::Vector3d(0.05, 0.05, 0.01);
+}
+
 /// "refuse", "close" …
 std::string_view word_of(GraphEdit::Kind kind);
 /// Nothing for another word.
@@ -50,6 +59,9 @@ std::optional<GraphEdit::Kind> edit_kind_of(std::string_view word);
 /// [s] where they are known, and its pose; # begins a comment, which the change before it on its
 /// line keeps. Throws ConfigError of kGraphEditsKey that says which one is wrong.
 std::vector<GraphEdit> parse_graph_edits(std::string_view text);
+/// The same of a graph from a file: in place of scans the ids of its poses, from 0 and in any
+/// order, without stamps. Throws ConfigError of kEditsOption.
+std::vector<GraphEdit> parse_vertex_edits(std::string_view text);
 /// Reads back as the same, to the last bit.
 std::string text_of(std::span<const GraphEdit> edits);
 

@@ -5,6 +5,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -43,6 +44,10 @@ class NormalEquations {
     /// Adds a number to the diagonal of a variable: holds it (great) or keeps H regular (small).
     void hold(std::size_t variable, double information);
 
+    /// Whether the factor of what was added since the first begin() has at most so many numbers,
+    /// each of 12 bytes; beyond 2^31 - 1 of them solve() may not be called. Before the first
+    /// solve().
+    bool factor_fits(std::uint64_t most);
     /// Solves; false where H is not positive definite.
     bool solve();
     /// Solves for the sums of this iteration with H as it was at the last solve(), which costs a

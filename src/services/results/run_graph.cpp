@@ -25,20 +25,30 @@ constexpr double kLeastSigma = 1e-4;         // [m, rad] of a step, beside the m
 constexpr double kReach = 0.5;               // of a line's known part to what was seen of it [m]
 const double kGate = -2.0 * std::log(0.01);  // 99 % of two degrees of freedom: 9.21
 
+/// The pose `to` seen from `from`, with its information in the axes of z.
+PlanarEdge step_edge(std::size_t from, std::size_t to, const Pose& z, const Matrix3& information) {
+    PlanarEdge edge;
+    edge.from = static_cast<std::uint32_t>(from);
+    edge.to = static_cast<std::uint32_t>(to);
+    edge.z << z.x, z.y, z.theta;
+    edge.information = information;
+    return edge;
+}
+
 /// What the motion model makes of the controls, and its noise; what is in the world's axes there is
 /// in those of the step's end here.
-GraphStep step_by_model(const Robot& robot, std::size_t to, const Pose& before,
-                        std::span<const Control> controls) {
+PlanarEdge step_by_model(const Robot& robot, std::size_t to, const Pose& before,
+                         std::span<const Control> controls) {
     const MotionIncrement increment = sum_controls(controls);
     const Pose after = robot.mean(before, increment);
     Matrix3 noise = robot.noise_covariance(before, increment);
     noise.diagonal().array() += kLeastSigma * kLeastSigma;
-    return {to - 1, to, between(before, after), turned(noise, -after.theta).inverse()};
+    return step_edge(to - 1, to, between(before, after), turned(noise, -after.theta).inverse());
 }
 
 /// What the wheels say, as sure as registration takes them to be.
-GraphStep step_by_wheels(const RegistrationParams& params, std::span<const GraphEdit> edits,
-                         std::size_t to, std::span<const Control> controls) {
+PlanarEdge step_by_wheels(const RegistrationParams& params, std::span<const GraphEdit> edits,
+                          std::size_t to, std::span<const Control> controls) {
     const Pose z = driven_way(controls).pose_start_end;
     const bool slipped = std::ranges::any_of(edits, [&](const GraphEdit& edit) {
         return edit.kind == GraphEdit::Kind::slip && edit.scan.scan == to;
@@ -46,7 +56,7 @@ GraphStep step_by_wheels(const RegistrationParams& params, std::span<const Graph
     const Eigen::Vector3d variances =
         slipped ? slip_variances() : odometry_variances(z, params.odometry_scale);
     // Along and across the mean heading; then in the axes of the end.
-    return {to - 1, to, z, step_information(variances, -0.5 * z.theta)};
+    return step_edge(to - 1, to, z, step_information(variances, -0.5 * z.theta));
 }
 
 /// What may be the same as a landmark.
@@ -141,6 +151,14 @@ std::optional<Comparison> compared(const Esquina& corner, const ICaracteristica&
     return Comparison{seen.feature, distance2({z.x - h.x, z.y - h.y}, q)};
 }
 
+/// A landmark of the map as the robot saw it from a pose, in its frame, with the covariance of
+/// (rho, theta) or (x, y) [m, rad]. A line has the normal that points as the landmark's does.
+struct GraphSighting {
+    std::size_t pose = 0;
+    std::size_t landmark = 0;
+    ICaracteristica seen;
+};
+
 /// Finds whose the features are, scan by scan.
 class Sightings {
   public:
@@ -191,21 +209,61 @@ class Sightings {
     std::vector<GraphSighting> sightings_;
 };
 
-void add_registration(const Registration& registration, std::vector<GraphStep>& steps) {
+void add_registration(const Registration& registration, std::vector<PlanarEdge>& steps) {
     const auto keys = registration.keys();
     for (const PoseEdge& edge : registration.edges()) {
         if (edge.kind == EdgeKind::odometry) continue;  // the steps between have it
-        steps.push_back({keys[edge.from].scan, keys[edge.to].scan, edge.z,
-                         turned(edge.information, -edge.z.theta)});
+        steps.push_back(step_edge(keys[edge.from].scan, keys[edge.to].scan, edge.z,
+                                  turned(edge.information, -edge.z.theta)));
     }
+}
+
+void add_vertices(const std::vector<Pose>& poses, const LandmarkMap& map, PlanarGraph& graph) {
+    const auto add = [&](PlanarVertex::Kind kind, const Eigen::Vector3d& at) {
+        PlanarVertex& vertex = graph.vertices.emplace_back();
+        vertex.kind = kind;
+        vertex.id = graph.vertices.size() - 1;
+        vertex.at = at;
+    };
+    for (const Pose& pose : poses) {
+        add(PlanarVertex::Kind::pose, {pose.x, pose.y, pose.theta});
+    }
+    if (!poses.empty()) graph.vertices.front().fixed = true;
+    for (const ICaracteristica& landmark : map) {
+        if (const auto* corner = std::get_if<Esquina>(&landmark.value)) {
+            add(PlanarVertex::Kind::point, {corner->x, corner->y, 0.0});
+        } else {
+            const auto& line = std::get<Recta>(landmark.value);
+            add(PlanarVertex::Kind::line, {line.theta, line.rho, 0.0});
+        }
+    }
+}
+
+PlanarEdge sighting_edge(const GraphSighting& sighting, std::size_t poses) {
+    PlanarEdge edge;
+    edge.from = static_cast<std::uint32_t>(sighting.pose);
+    edge.to = static_cast<std::uint32_t>(poses + sighting.landmark);
+    const Matrix2 information = sighting.seen.covariance.inverse();
+    if (const auto* corner = std::get_if<Esquina>(&sighting.seen.value)) {
+        edge.kind = PlanarEdge::Kind::point;
+        edge.z.head<2>() << corner->x, corner->y;
+        edge.information.topLeftCorner<2, 2>() = information;
+        return edge;
+    }
+    const auto& line = std::get<Recta>(sighting.seen.value);
+    edge.kind = PlanarEdge::Kind::line;
+    edge.z.head<2>() << line.theta, line.rho;
+    edge.information.topLeftCorner<2, 2>() = information.reverse();
+    return edge;
 }
 
 }  // namespace
 
-LandmarkGraphFile graph_of(const Algoritmo& run) {
-    LandmarkGraphFile graph;
-    graph.poses = run.filter().best_history();
-    graph.map = run.filter().best_map();
+PlanarGraph graph_of(const Algoritmo& run) {
+    PlanarGraph graph;
+    const std::vector<Pose> poses = run.filter().best_history();
+    const LandmarkMap map = run.filter().best_map();
+    add_vertices(poses, map, graph);
     const Configuracion& configuration = run.configuration();
     const std::unique_ptr<TourReader> reader = run.reader().reopen();
     const std::unique_ptr<Extractor> extractor =
@@ -216,23 +274,25 @@ LandmarkGraphFile graph_of(const Algoritmo& run) {
     ControlTrack track([&reader] { return reader->next_odometry(); });
     std::vector<Control> controls;
     Observation observation;
-    Sightings sightings(graph.map);
+    Sightings sightings(map);
     const std::vector<GraphEdit> edits = parse_graph_edits(configuration.registration.edits);
-    for (std::size_t i = 0; i < graph.poses.size(); ++i) {
+    for (std::size_t i = 0; i < poses.size(); ++i) {
         const std::optional<Scan> scan = reader->next_scan();
         if (!scan) break;
         track.controls_until(*scan, controls);
         if (i > 0) {
-            graph.steps.push_back(
-                robot != nullptr ? step_by_model(*robot, i, graph.poses[i - 1], controls)
+            graph.edges.push_back(
+                robot != nullptr ? step_by_model(*robot, i, poses[i - 1], controls)
                                  : step_by_wheels(configuration.registration, edits, i, controls));
         }
         extractor->go_to(i);
         extractor->extract(*scan, observation);
-        sightings.note(i, graph.poses[i], seen_in(observation, configuration.filter.observation));
+        sightings.note(i, poses[i], seen_in(observation, configuration.filter.observation));
     }
-    if (run.registration() != nullptr) add_registration(*run.registration(), graph.steps);
-    graph.sightings = sightings.take();
+    if (run.registration() != nullptr) add_registration(*run.registration(), graph.edges);
+    for (const GraphSighting& sighting : sightings.take()) {
+        graph.edges.push_back(sighting_edge(sighting, poses.size()));
+    }
     return graph;
 }
 

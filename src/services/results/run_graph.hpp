@@ -1,12 +1,13 @@
 // The graph that a finished run stands for.
 #pragma once
 
-#include "files/g2o_file.hpp"
 #include "hitos/services/run/algoritmo.hpp"
+#include "hitos/slam/planar_graph.hpp"
 
 namespace hitos {
 
-/// Poses of the best path, landmarks of the best map, and what the tour says between them. The tour
+/// Poses of the best path, landmarks of the best map, and what the tour says between them: poses
+/// have the numbers of their scans, the first is fixed, landmarks come after them. The tour
 /// is read and its features are found once more: what the filter took for what at the time belongs
 /// to other maps than the finished one.
 ///
@@ -20,6 +21,6 @@ namespace hitos {
 /// that holds 99 % (chi-square, of the landmark's covariance and the measurement's); of lines only
 /// those count whose known part comes within 0.5 m of what was seen. A landmark that no feature
 /// came so near to has the one that came nearest, so that none is alone.
-LandmarkGraphFile graph_of(const Algoritmo& run);
+PlanarGraph graph_of(const Algoritmo& run);
 
 }  // namespace hitos

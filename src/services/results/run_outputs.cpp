@@ -20,6 +20,7 @@
 #include "hitos/services/drawing/map_figure.hpp"
 #include "hitos/services/drawing/picture_file.hpp"
 #include "hitos/services/files/dxf_file.hpp"
+#include "hitos/services/files/g2o_file.hpp"
 #include "hitos/services/files/segment_file.hpp"
 #include "hitos/services/grid/grid_builder.hpp"
 #include "json_input.hpp"

@@ -7,6 +7,7 @@
 #include "hitos/services/evaluation/distances.hpp"
 #include "hitos/services/evaluation/relations.hpp"
 #include "hitos/services/files/dxf_file.hpp"
+#include "hitos/services/files/g2o_file.hpp"
 #include "hitos/services/files/map_file.hpp"
 #include "hitos/services/files/segment_file.hpp"
 #include "hitos/services/files/trajectory_file.hpp"
@@ -143,6 +144,24 @@ bool check_trajectory(std::string_view input) {
                                               kOfQuaternion;
                                }),
             "a path reads back to nine decimals");
+    return true;
+}
+
+bool check_graph(std::string_view input) {
+    auto file = unless_refused([&] { return parse_g2o(input, "input"); });
+    if (!file) return false;
+    const std::string text = g2o_text(file->graph);
+    require(g2o_text(parse_g2o(text, "input").graph) == text, "graphs read back to the last bit");
+    constexpr std::size_t kSmall = 30;  // solving goes on for 200 steps where nothing fits
+    PlanarGraph& graph = file->graph;
+    if (graph.vertices.size() > kSmall || graph.edges.size() > kSmall) return true;
+    for (const bool robust : {false, true}) {
+        const auto solution = unless_refused([&] { return solve(graph, robust); });
+        if (!solution) continue;
+        require(robust || solution->chi_square_after <= solution->chi_square_before,
+                "chi square does not grow");
+        require(!g2o_text(graph).empty(), "what is solved is finite");
+    }
     return true;
 }
 

@@ -25,6 +25,7 @@ std::span<const Target> targets() {
         Target{"normalized", check_normalized},
         Target{"configuration", check_configuration},
         Target{"figures", check_figures},
+        Target{"graph", check_graph},
         Target{"picture", check_picture},
         Target{"map_server", check_map_server},
         Target{"distances", check_distances},

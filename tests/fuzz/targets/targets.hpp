@@ -29,6 +29,7 @@ Check check_relations;      ///< relations between poses
 Check check_map_server;     ///< YAML files of map_server, beside a picture
 Check check_picture;        ///< pictures of walls
 Check check_trajectory;     ///< TUM trajectories
+Check check_graph;          ///< graphs in g2o's text, solved where they are small
 Check check_study_plan;     ///< study.json
 Check check_study_record;   ///< runs/*.json of a study
 Check check_summary;        ///< summary.json in a folder of results

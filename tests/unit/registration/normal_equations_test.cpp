@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cstdint>
 #include <random>
 
 namespace hitos {
@@ -179,6 +180,25 @@ TEST(NormalEquations, CovarianceOfACombinationIsThatOfTheInverse) {
     EXPECT_LT(apart(system.equations.covariance(17, j_a, 4, j_b),
                     j * system.dense.inverse() * j.transpose()),
               1e-8);
+}
+
+TEST(NormalEquations, CountsTheNumbersOfTheFactorBeforeItIsMade) {
+    // In blocks of nine: each pose's own, and one for each two that are joined by elimination.
+    const auto fits = [](bool all, std::uint64_t most) {
+        RandomSystem system(1);
+        system.lay_out(6, 0);
+        system.begin();
+        for (std::size_t a = 0; a < 6; ++a) {
+            for (std::size_t b = a + 1; b < 6; ++b) {
+                if (all || b == a + 1) system.tie(a, b);
+            }
+        }
+        return system.equations.factor_fits(most);
+    };
+    EXPECT_TRUE(fits(false, 9U * 11U));
+    EXPECT_FALSE(fits(false, 9U * 11U - 1U));
+    EXPECT_TRUE(fits(true, 9U * 21U));
+    EXPECT_FALSE(fits(true, 9U * 21U - 1U));
 }
 
 TEST(NormalEquations, AVariableThatIsHeldStaysAndOneThatNothingHoldsIsTold) {

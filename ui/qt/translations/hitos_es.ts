@@ -2915,6 +2915,78 @@
         <translation>es de los mismos barridos que el cambio %1</translation>
     </message>
     <message>
+        <source>found %1; expected &quot;refuse A B&quot;, &quot;close A B X Y THETA&quot;, &quot;fix A X Y THETA&quot; or &quot;slip A&quot;, A and B ids of poses, X and Y in metres, THETA in rad from -2 pi to 2 pi</source>
+        <translation>se encontró %1; se esperaba «refuse A B», «close A B X Y THETA», «fix A X Y THETA» o «slip A», con A y B números de poses, X e Y en metros y THETA en rad de -2 pi a 2 pi</translation>
+    </message>
+    <message>
+        <source>names pose %1 twice; expected two poses</source>
+        <translation>nombra dos veces la pose %1; se esperaban dos poses</translation>
+    </message>
+    <message>
+        <source>is of the same poses as change %1</source>
+        <translation>es de las mismas poses que el cambio %1</translation>
+    </message>
+    <message>
+        <source>no pose in the file; expected a graph of the plane as g2o writes it, with lines &quot;%1&quot;</source>
+        <translation>no hay ninguna pose en el archivo; se esperaba un grafo del plano como los escribe g2o, con líneas «%1»</translation>
+    </message>
+    <message>
+        <source>no pose in the file, and lines %1; expected a graph of the plane as g2o writes it, with lines &quot;%2&quot;</source>
+        <translation>no hay ninguna pose en el archivo, y sí líneas %1; se esperaba un grafo del plano como los escribe g2o, con líneas «%2»</translation>
+    </message>
+    <message>
+        <source>the edge goes from vertex %1 to itself; expected two vertices</source>
+        <translation>la arista va del vértice %1 a él mismo; se esperaban dos vértices</translation>
+    </message>
+    <message>
+        <source>the information has the eigenvalue %1; expected none below 0: the inverse of a covariance, its upper triangle row by row</source>
+        <translation>la información tiene el valor propio %1; se esperaba ninguno menor que 0: la inversa de una covarianza, su triángulo superior fila a fila</translation>
+    </message>
+    <message>
+        <source>vertex %1 is there already, in line %2; expected another id</source>
+        <translation>el vértice %1 ya está, en la línea %2; se esperaba otro número</translation>
+    </message>
+    <message>
+        <source>names vertex %1, which the file does not have; expected a line VERTEX_SE2, VERTEX_XY or VERTEX_LINE2D with that id</source>
+        <translation>nombra el vértice %1, que no está en el archivo; se esperaba una línea VERTEX_SE2, VERTEX_XY o VERTEX_LINE2D con ese número</translation>
+    </message>
+    <message>
+        <source>vertex %1 is of %2; expected one of %3</source>
+        <translation>el vértice %1 es de %2; se esperaba uno de %3</translation>
+    </message>
+    <message>
+        <source>%1 is %2; expected a whole number from 0 to %3</source>
+        <translation>%1 es %2; se esperaba un número entero de 0 a %3</translation>
+    </message>
+    <message>
+        <source>has more than %1 vertices and edges</source>
+        <translation>tiene más de %1 vértices y aristas</translation>
+    </message>
+    <message>
+        <source>pose %1 is fixed by the graph already</source>
+        <translation>el grafo ya fija la pose %1</translation>
+    </message>
+    <message>
+        <source>the graph has no pose with the id %1</source>
+        <translation>el grafo no tiene ninguna pose con el número %1</translation>
+    </message>
+    <message>
+        <source>the graph has no edge between the poses %1 and %2</source>
+        <translation>el grafo no tiene ninguna arista entre las poses %1 y %2</translation>
+    </message>
+    <message>
+        <source>pose %1 has the lowest id: no step leads to it</source>
+        <translation>la pose %1 tiene el número más bajo: ningún paso lleva a ella</translation>
+    </message>
+    <message>
+        <source>the errors of the graph&apos;s edges are beyond reckoning; are its numbers metres and radians, and its information their inverse variances?</source>
+        <translation>los errores de las aristas del grafo son incalculables; ¿son sus números metros y radianes, y su información las inversas de sus varianzas?</translation>
+    </message>
+    <message>
+        <source>the edges join so many of the graph&apos;s vertices across it that solving it takes more than %1 million numbers; expected a graph of places most of which see few others</source>
+        <translation>las aristas unen tantos vértices del grafo entre sí que resolverlo necesita más de %1 millones de números; se esperaba un grafo de lugares que en su mayoría vean pocos otros</translation>
+    </message>
+    <message>
         <source>change %1 is of another tour, or of this one read otherwise: scan %2 had the stamp %3 when it was made, and has %4</source>
         <translation>el cambio %1 es de otro recorrido, o de este leído de otro modo: el barrido %2 tenía la marca de tiempo %3 cuando se hizo, y tiene %4</translation>
     </message>

@@ -4,7 +4,6 @@
 
 #include <limits>
 
-#include "files/g2o_file.hpp"
 #include "files/ieee_map_file.hpp"
 #include "files/landmark_table.hpp"
 #include "hitos/base/error.hpp"
@@ -84,37 +83,6 @@ TEST(IeeeMapFile, RefusesSegmentsOfNoLine) {
                     ieee_map_xml({"", "", small.map, small.segments, Grid()});
                 }),
                 HasSubstr("no line"));
-}
-
-TEST(G2oFile, HasVerticesAndEdges) {
-    const test::SmallMap small;
-    LandmarkGraphFile graph;
-    graph.poses = {{}, {1.0, 0.5, 0.25}};
-    graph.map = {small.map[0], small.map[2]};
-    Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
-    information(0, 1) = information(1, 0) = 0.5;
-    graph.steps = {{0, 1, {1.0, 0.5, 0.25}, information}};
-    ICaracteristica seen;
-    seen.value = Recta{1.5, 1.25};
-    seen.covariance << 0.25, 0.0, 0.0, 0.5;
-    graph.sightings = {{1, 0, seen}};
-    seen.value = Esquina{-1.0, 2.0};
-    graph.sightings.push_back({0, 1, seen});
-    EXPECT_EQ(g2o_text(graph),
-              "VERTEX_SE2 0 0 0 0\n"
-              "VERTEX_SE2 1 1 0.5 0.25\n"
-              "VERTEX_LINE2D 2 1.5707963267948966 2 -1 -1\n"
-              "VERTEX_XY 3 -1 2\n"
-              "FIX 0\n"
-              "EDGE_SE2 0 1 1 0.5 0.25 1 0.5 0 1 0 1\n"
-              "EDGE_SE2_LINE2D 1 2 1.25 1.5 2 0 4\n"
-              "EDGE_SE2_XY 0 3 -1 2 4 0 2\n");
-}
-
-TEST(G2oFile, RefusesWhatIsNotFinite) {
-    LandmarkGraphFile graph;
-    graph.poses = {{0.0, std::numeric_limits<double>::quiet_NaN(), 0.0}};
-    EXPECT_THAT(message_of<Error>([&] { g2o_text(graph); }), HasSubstr("not finite"));
 }
 
 }  // namespace

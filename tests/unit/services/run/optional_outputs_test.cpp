@@ -109,37 +109,41 @@ TEST_F(OptionalOutputsTest, ThoseOfAnEarlierRunGo) {
 TEST_F(OptionalOutputsTest, GraphsOfEveryAlgorithmJoinEveryLandmark) {
     for (const char* algorithm : {"fastslam", "ekf-slam", "graph-slam"}) {
         const Algoritmo run = run_of("bigloop.log.gz", algorithm, 200, 1);
-        const LandmarkGraphFile graph = graph_of(run);
-        ASSERT_EQ(graph.poses.size(), 200U) << algorithm;
-        ASSERT_FALSE(graph.map.empty()) << algorithm;
+        const PlanarGraph graph = graph_of(run);
+        ASSERT_EQ(graph.count(PlanarVertex::Kind::pose), 200U) << algorithm;
+        ASSERT_GT(graph.vertices.size(), 200U) << algorithm;
         std::set<std::size_t> seen;
-        for (const GraphSighting& sighting : graph.sightings) seen.insert(sighting.landmark);
-        EXPECT_EQ(seen.size(), graph.map.size()) << algorithm;
+        for (const PlanarEdge& edge : graph.edges) {
+            if (edge.kind != PlanarEdge::Kind::step) seen.insert(edge.to);
+        }
+        EXPECT_EQ(seen.size(), graph.vertices.size() - 200U) << algorithm;
         // Dead reckoning by the steps alone is the odometry.
         Pose pose = run.odometry_trajectory().front().pose;
         for (std::size_t i = 0; i < 199; ++i) {
-            ASSERT_EQ(graph.steps[i].to, i + 1) << algorithm;
-            pose = compose(pose, graph.steps[i].z);
+            ASSERT_EQ(graph.edges[i].to, i + 1) << algorithm;
+            const Eigen::Vector3d& z = graph.edges[i].z;
+            pose = compose(pose, {z(0), z(1), z(2)});
         }
         const Pose& odometry = run.odometry_trajectory().back().pose;
         EXPECT_NEAR(pose.x, odometry.x, 1e-9) << algorithm;
         EXPECT_NEAR(pose.y, odometry.y, 1e-9) << algorithm;
-        EXPECT_EQ(graph.steps.size() > 199U, run.registration() != nullptr) << algorithm;
+        EXPECT_EQ(graph.count(PlanarEdge::Kind::step) > 199U, run.registration() != nullptr)
+            << algorithm;
     }
 }
 
 TEST_F(OptionalOutputsTest, LinesSeenFromBehindHaveTheLandmarksNormal) {
     const Algoritmo run = run_of("bigloop.log.gz", "fastslam", 1050, 1);
-    const LandmarkGraphFile graph = graph_of(run);
+    const PlanarGraph graph = graph_of(run);
     int turned = 0;
-    for (const GraphSighting& sighting : graph.sightings) {
-        const auto* z = std::get_if<Recta>(&sighting.seen.value);
-        if (z == nullptr) continue;
-        const auto& line = std::get<Recta>(graph.map[sighting.landmark].value);
-        const Pose& pose = graph.poses[sighting.pose];
-        EXPECT_LT(std::abs(wrap_angle(z->theta + pose.theta - line.theta)), 0.3);
-        EXPECT_NEAR(z->rho, -signed_distance(line, {pose.x, pose.y}), 0.6);
-        if (z->rho < 0.0) ++turned;
+    for (const PlanarEdge& edge : graph.edges) {
+        if (edge.kind != PlanarEdge::Kind::line) continue;
+        const Recta z{edge.z(1), edge.z(0)};
+        const Recta line{graph.vertices[edge.to].at(1), graph.vertices[edge.to].at(0)};
+        const Pose pose = graph.vertices[edge.from].pose();
+        EXPECT_LT(std::abs(wrap_angle(z.theta + pose.theta - line.theta)), 0.3);
+        EXPECT_NEAR(z.rho, -signed_distance(line, {pose.x, pose.y}), 0.6);
+        if (z.rho < 0.0) ++turned;
     }
     EXPECT_GT(turned, 100) << "the robot drives round walls and sees lines from both their sides";
 }

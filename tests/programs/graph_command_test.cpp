@@ -1,0 +1,124 @@
+// hitos-cli graph as a user calls it.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "hitos/services/files/g2o_file.hpp"
+#include "program.hpp"
+
+namespace hitos::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+/// A square that its odometry leaves open, seen closed, beside two points and what is not known.
+constexpr const char* kSquare =
+    "VERTEX_SE2 1 0 0 0\n"
+    "VERTEX_SE2 2 1 0 1.7\n"
+    "VERTEX_SE2 3 1 1.2 -3\n"
+    "VERTEX_SE2 4 0.1 1.2 -1.5\n"
+    "VERTEX_XY 10 2 2\n"
+    "VERTEX_TAG 12 1 1\n"
+    "EDGE_SE2 1 2 1 0 1.5707963267948966 100 0 0 100 0 400\n"
+    "EDGE_SE2 2 3 1 0 1.5707963267948966 100 0 0 100 0 400\n"
+    "EDGE_SE2 3 4 1 0 1.5707963267948966 100 0 0 100 0 400\n"
+    "EDGE_SE2 4 1 1 0 1.5707963267948966 100 0 0 100 0 400\n"
+    "EDGE_SE2_XY 1 10 2 2 100 0 100\n"
+    "EDGE_SE2_XY 3 10 -1 -1 100 0 100\n";
+
+class GraphCommand : public ProgramTest {
+  protected:
+    Outcome call(const std::string& arguments) const {
+        return shell(cli_ + " graph " + arguments + " 2>&1");
+    }
+    json object(const std::string& arguments) const {
+        const Outcome outcome = call(arguments + " --json");
+        EXPECT_EQ(outcome.status, 0) << outcome.output;
+        return json::parse(outcome.output);
+    }
+    void refused(const std::string& arguments, const std::string& words) const {
+        const Outcome outcome = call(arguments);
+        EXPECT_EQ(outcome.status, 1) << outcome.output;
+        EXPECT_THAT(outcome.output, HasSubstr(words));
+    }
+    std::string square() const { return file("square.g2o", kSquare); }
+};
+
+TEST_F(GraphCommand, SolvesDrawsAndWrites) {
+    const json told = object(square() + " --out " + path("out"));
+    EXPECT_EQ(told.at("VERTEX_SE2"), 4);
+    EXPECT_EQ(told.at("EDGE_SE2_XY"), 2);
+    EXPECT_EQ(told.at("unread"), (json{{"VERTEX_TAG", 1}}));
+    EXPECT_EQ(told.at("held"), json::array({1}));
+    EXPECT_GT(told.at("chi_square_before"), 1.0);
+    EXPECT_LT(told.at("chi_square_after"), 1e-9) << "all its edges fit";
+    EXPECT_TRUE(told.at("converged"));
+    EXPECT_EQ(told.at("worst").size(), 6U);
+    const PlanarGraph solved = read_g2o(path("out/graph.g2o")).graph;
+    EXPECT_NEAR(solved.vertices[3].at(0), 0.0, 1e-6);
+    EXPECT_NEAR(solved.vertices[3].at(1), 1.0, 1e-6);
+    EXPECT_EQ(solved.vertices[4].id, 10U);
+    EXPECT_EQ(g2o_text(solved), content(path("out/graph.g2o")));
+    EXPECT_THAT(content(path("out/graph.svg")), HasSubstr("the 6 edges of the greatest errors"));
+    EXPECT_EQ(content(path("out/graph.png")).substr(1, 3), "PNG");
+    const Outcome words = call(square());
+    EXPECT_THAT(words.output, HasSubstr("VERTEX_SE2 4\n"));
+    EXPECT_THAT(words.output, HasSubstr("1 line of VERTEX_TAG is passed over"));
+    EXPECT_THAT(words.output, HasSubstr("nothing is fixed in 1 part: held is vertex 1"));
+}
+
+TEST_F(GraphCommand, WritesTheSameBytesAgain) {
+    call(square() + " --out " + path("one"));
+    call(square() + " --out " + path("two"));
+    EXPECT_EQ(files("one"), files("two"));
+    EXPECT_EQ(files("one").size(), 3U);
+}
+
+TEST_F(GraphCommand, PutsNothingInThePlaceOfAGraph) {
+    const std::string arguments = square() + " --out " + path("out");
+    EXPECT_EQ(call(arguments).status, 0);
+    const auto before = files("out");
+    refused(arguments + " --robust", "say --replace to put this graph in its place");
+    EXPECT_EQ(files("out"), before);
+    EXPECT_EQ(call(arguments + " --worst 0 --replace").status, 0);
+    EXPECT_NE(files("out"), before);
+    refused(path("out/graph.g2o") + " --replace --out " + path("out"), "graph.g2o");
+}
+
+TEST_F(GraphCommand, TakesChangesByHand) {
+    const std::string edits = file("edits", "refuse 4 1  # no loop\nfix 4 0 3 -1.57\nslip 3\n");
+    const json told = object(square() + " --edits " + edits + " --out " + path("out"));
+    EXPECT_EQ(told.at("edits"), 3);
+    EXPECT_EQ(told.at("EDGE_SE2"), 3);
+    EXPECT_EQ(told.at("EDGE_PRIOR_SE2"), 1);
+    EXPECT_THAT(content(path("out/graph.g2o")), HasSubstr("EDGE_PRIOR_SE2 4 0 3 -1.57 10000"));
+    refused(square() + " --edits " + file("none", "# nothing\n"), "has no change");
+    refused(square() + " --edits " + file("other", "slip 7\n"),
+            "--edits: change 1: the graph has no pose with the id 7");
+    refused(square() + " --edits " + file("wrong", "move 7\n"), "found \"move 7\"; expected");
+}
+
+TEST_F(GraphCommand, RefusesWhatIsNoGraph) {
+    refused(file("wrong.g2o", "VERTEX_SE2 1 0 0\n"), "wrong.g2o:1: found 3 fields");
+    refused(path("none.g2o"), "no such file");
+    refused(log_, "no pose in the file");
+    refused(file("no.g2o", "VERTEX_SE2 0 0 0 0\n") + " --out " + file("taken", ""), "taken");
+}
+
+TEST_F(GraphCommand, ReadsTheGraphOfARun) {
+    ASSERT_EQ(shell(cli_ + " run corridor --set filter.particles=10 --write g2o --out " +
+                    path("run") + " 2>&1")
+                  .status,
+              0);
+    const json told = object(path("run/graph.g2o"));
+    EXPECT_GT(told.at("VERTEX_LINE2D"), 0);
+    EXPECT_TRUE(told.at("unread").empty());
+    EXPECT_TRUE(told.at("converged"));
+    EXPECT_LE(told.at("chi_square_after"), told.at("chi_square_before"));
+}
+
+}  // namespace
+}  // namespace hitos::test
