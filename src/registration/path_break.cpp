@@ -12,7 +12,7 @@ namespace hitos {
 bool breaks_path(std::span<const SurfacePoint> scan, const MatchedStep& matched,
                  const KeyGraph& graph) {
     // Of six recorded tours and five worlds the worst scan, with a score of 0.27, has 0.14 of
-    // contradiction. Of 18 gaps that tests/bench/gaps makes in the tours 14 are told; places behind
+    // contradiction. Of 18 gaps that tests/bench/gaps makes in the tours 15 are told; places behind
     // the others look like those before, and one is 0.4 m wide.
     constexpr double kDoubtful = 0.4;
     constexpr double kMuch = 0.2;

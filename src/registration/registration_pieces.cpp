@@ -57,8 +57,14 @@ void Registration::Impl::find_piece(std::vector<KeyPose>& before) {
     }
     const KeyGraph graph = graph_;
     const std::vector<Placed> placed = placed_;
-    lay_piece(found->pose);
-    record.verdict = close(*found, record);
+    // Outdoors much is bent between breaks where nobody carried the robot: what the graph explains
+    // is a loop like any other.
+    const bool explained = (record.verdict = close(*found, record)) == LoopVerdict::closed;
+    if (record.verdict == LoopVerdict::strained) {
+        graph_ = graph;
+        lay_piece(found->pose);
+        record.verdict = close(*found, record);
+    }
     if (record.verdict != LoopVerdict::closed) {
         graph_ = graph;
         placed_ = placed;
@@ -66,7 +72,11 @@ void Registration::Impl::find_piece(std::vector<KeyPose>& before) {
         return;
     }
     closer_.forget();
-    carried_.pop_back();
+    if (explained) {
+        believe(found->key);
+    } else {
+        carried_.pop_back();
+    }
     record.move_m = greatest_move(graph.poses, graph_.poses);
     figures_.largest_correction_m = std::max(figures_.largest_correction_m, record.move_m);
     loops_.push_back(record);

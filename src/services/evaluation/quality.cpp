@@ -138,14 +138,19 @@ struct DrivenBy {
 };
 
 DrivenBy driven_by(const Registration& registration, const Trajectory& odometry) {
+    constexpr double kCarried = 2.0;  // [m] at a break that the odometry knows nothing of
     DrivenBy driven;
     const std::span<const KeyPose> keys = registration.keys();
     const std::vector<std::uint64_t> breaks = registration.figures().breaks;
     for (std::size_t k = 1; k < keys.size(); ++k) {
+        const double path_m = distance(keys[k - 1].pose, keys[k].pose);
+        const double odometry_m =
+            distance(odometry[keys[k - 1].scan].pose, odometry[keys[k].scan].pose);
         const auto since = std::ranges::upper_bound(breaks, keys[k - 1].scan);
-        if (since != breaks.end() && *since <= keys[k].scan) continue;  // it may have been carried
-        driven.path_m += distance(keys[k - 1].pose, keys[k].pose);
-        driven.odometry_m += distance(odometry[keys[k - 1].scan].pose, odometry[keys[k].scan].pose);
+        const bool broken = since != breaks.end() && *since <= keys[k].scan;
+        if (broken && path_m - odometry_m > kCarried) continue;
+        driven.path_m += path_m;
+        driven.odometry_m += odometry_m;
     }
     return driven;
 }

@@ -231,7 +231,7 @@ class PlanarSolver {
     }
 
     void iterate(int most) {
-        constexpr double kStill = 1e-9;     // [m, rad]
+        constexpr double kNoMove = 1e-9;    // [m, rad]
         constexpr double kRounding = 1e-4;  // [m, rad]: so small a step that helps nothing is noise
         // Damping, in units of the greatest information.
         constexpr double kLeast =
@@ -271,7 +271,7 @@ class PlanarSolver {
                 graph_.vertices = places;
             }
             const bool free = damping <= least;
-            if ((better && free && greatest <= kStill) || (!better && greatest <= kRounding)) {
+            if ((better && free && greatest <= kNoMove) || (!better && greatest <= kRounding)) {
                 solution_.converged = true;
                 return;
             }

@@ -205,6 +205,24 @@ TEST(GraphSlam, AClosedLoopMakesOneOfWhatWasSeenTwice) {
     }
 }
 
+TEST(GraphSlam, EdgesMayHaveGoneWhereANewKeyComes) {
+    const std::vector<Pose> path = corridor_path(kGraphStep, kMore);
+    const std::size_t cut = path.size() / 2;
+    GraphRun run = corridor_run({}, 5);
+    GraphRun whole = corridor_run({}, 5);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        if (i == cut) run.registration.cut(static_cast<std::uint32_t>(i - 2));
+        run.step(path[i]);
+        whole.step(path[i]);
+        if (i == cut) run.filter.correct(run.registration.correction());
+    }
+    // Noise is small: what is left holds the map together, by the landmarks.
+    EXPECT_EQ(run.filter.best_count(FeatureKind::line), whole.filter.best_count(FeatureKind::line));
+    const Pose a = run.filter.best_pose();
+    const Pose b = whole.filter.best_pose();
+    EXPECT_LT(std::hypot(a.x - b.x, a.y - b.y), 0.2);
+}
+
 TEST(GraphSlam, TwoWallsInOneDirectionWithADoorStayTwo) {
     const SimNoise noise;
     GraphRun run(graph_params(noise), noise, 1, {{{0, 2}, {5, 2}}, {{6, 2}, {12, 2}}}, {});

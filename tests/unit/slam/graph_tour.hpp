@@ -92,6 +92,17 @@ class SimRegistration {
         }
         return {by_scan_, keys_, edges_};
     }
+    /// Takes the edges between the keys before one and the others away, as where it turns out that
+    /// the robot was carried, and the three before; the newest key's stay.
+    void cut(std::uint32_t begin) {
+        std::erase_if(edges_, [begin](const PoseEdge& edge) {
+            return edge.to <= begin && begin < edge.to + 4;
+        });
+    }
+    PathCorrection correction() {
+        by_scan_.assign(path_.size(), {});
+        return {by_scan_, keys_, edges_};
+    }
     const std::vector<KeyPose>& keys() const { return keys_; }
     const std::vector<PoseEdge>& edges() const { return edges_; }
     const std::vector<Pose>& path() const { return path_; }

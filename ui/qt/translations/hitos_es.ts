@@ -3058,6 +3058,14 @@
         <source>--set %1 names other changes; give one of them</source>
         <translation>--set %1 nombra otros cambios; dé uno de los dos</translation>
     </message>
+    <message>
+        <source>another place looks nearly as like</source>
+        <translation>otro lugar se parece casi igual</translation>
+    </message>
+    <message>
+        <source>the robot may have been carried, and for that the places are too little alike: %1 (score times overlap times what is not seen through), and more than %2 is asked; %3 is seen through, and at most %4 is allowed</source>
+        <translation>puede que el robot haya sido llevado, y para eso los lugares se parecen poco: %1 (puntuación por solape por lo que no se atraviesa con la vista), y se pide más de %2; se atraviesa con la vista %3, y se admite como mucho %4</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
