@@ -69,7 +69,7 @@ class LoopCloser {
         before_.reset();
     }
 
-    /// Nothing is looked for that may have been carried.
+    /// Frees what a search for a piece has drawn, and the next one draws the same again.
     void rest() { before_.reset(); }
 
     std::uint64_t searches() const { return searches_; }

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <utility>
 
 #include "free_view.hpp"
@@ -175,7 +174,8 @@ double LoopCloser::piece_seen_through(const KeyGraph& graph, const CarriedPiece&
     Side since;
     Side before;
     const Pose move = compose(pose, inverse(graph.poses.back().pose));
-    for (std::size_t j = piece.query; j < graph.size(); ++j) {
+    const std::size_t step = (graph.size() - piece.query) / kMostKeys + 1;
+    for (std::size_t j = piece.query; j < graph.size(); j += step) {
         since.keys.push_back({compose(move, graph.poses[j].pose), j});
     }
     for (std::size_t j = 0; j < piece.first; ++j) {

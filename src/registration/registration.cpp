@@ -345,7 +345,9 @@ Registration::~Registration() = default;
 Registration::Registration(Registration&&) noexcept = default;
 Registration& Registration::operator=(Registration&&) noexcept = default;
 Registration::Registration(const Registration& other)
-    : impl_(std::make_unique<Impl>(*other.impl_)) {}
+    : impl_(std::make_unique<Impl>(*other.impl_)) {
+    impl_->drop_pictures();
+}
 
 std::size_t Registration::bytes() const {
     const KeyGraph& graph = impl_->graph();

@@ -33,6 +33,8 @@ class Registration::Impl {
         params_.edits = edits;
     }
     LoopRecord fitted_loop(std::uint64_t scan, std::uint64_t earlier, const Pose& start) const;
+    /// What can be drawn anew of the graph and takes a hundred megabytes.
+    void drop_pictures() { closer_.rest(); }
     std::vector<Pose> path() const;
 
     const KeyGraph& graph() const { return graph_; }
