@@ -66,7 +66,7 @@ TEST_F(GraphCommand, SolvesDrawsAndWrites) {
     EXPECT_EQ(content(path("out/graph.png")).substr(1, 3), "PNG");
     const Outcome words = call(square());
     EXPECT_THAT(words.output, HasSubstr("VERTEX_SE2 4\n"));
-    EXPECT_THAT(words.output, HasSubstr("1 line of VERTEX_TAG is passed over"));
+    EXPECT_THAT(words.output, HasSubstr("1 line of VERTEX_TAG is passed over, and not written"));
     EXPECT_THAT(words.output, HasSubstr("nothing is fixed in 1 part: held is vertex 1"));
 }
 
@@ -113,6 +113,8 @@ TEST_F(GraphCommand, ReadsTheGraphOfARun) {
                     path("run") + " 2>&1")
                   .status,
               0);
+    // A run's results stay what they were.
+    refused(square() + " --replace --out " + path("run"), "holds the results of a run");
     const json told = object(path("run/graph.g2o"));
     EXPECT_GT(told.at("VERTEX_LINE2D"), 0);
     EXPECT_TRUE(told.at("unread").empty());

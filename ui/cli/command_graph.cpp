@@ -56,6 +56,11 @@ std::vector<fs::path> outputs_of(const GraphOptions& options) {
 /// Before the solving, which may take its time.
 void check_outputs(const GraphOptions& options, const std::vector<fs::path>& outputs) {
     if (outputs.empty()) return;
+    std::error_code unknown;
+    if (fs::exists(fs::path(options.out) / "summary.json", unknown)) {
+        throw FileError(options.out, verbatim("holds the results of a run, which would not be what "
+                                              "they were; choose another folder"));
+    }
     prepare_output_folder(options.out);
     check_apart(outputs, std::vector<fs::path>{options.file, options.edits});
     for (const fs::path& output : outputs) {
@@ -88,9 +93,10 @@ void tell_graph(Report& report, const G2oFile& file) {
     nlohmann::ordered_json& unread = report.object()["unread"] = nlohmann::ordered_json::object();
     for (const UnreadLines& lines : file.unread) {
         unread[lines.tag] = lines.lines;
-        report.warn(fmt::format("{} of {} {} passed over: what {} says is not known here",
-                                plural(lines.lines, "line"), lines.tag,
-                                lines.lines == 1 ? "is" : "are", lines.tag));
+        report.warn(fmt::format(
+            "{} of {} {} passed over, and not written: what {} says is not "
+            "known here",
+            plural(lines.lines, "line"), lines.tag, lines.lines == 1 ? "is" : "are", lines.tag));
     }
 }
 
@@ -197,9 +203,11 @@ void add_graph(CLI::App& program) {
                      "Folder for the solved graph.g2o and its picture, graph.svg and graph.png, "
                      "made if missing")
         ->check(&complaint_of_output);
-    command->add_option("--edits", options->edits,
-                        "File of changes by hand, one a line: \"refuse A B\", \"close A B X Y "
-                        "THETA\", \"fix A X Y THETA\", \"slip A\"; A and B are ids of poses");
+    command->add_option(
+        "--edits", options->edits,
+        "File of changes by hand, one a line: \"refuse A B\", \"close A B X Y "
+        "THETA\" (A seen from B), \"fix A X Y THETA\", \"slip A\"; A and B are ids of "
+        "poses");
     command->add_flag("--robust", options->robust,
                       "Edges far from the rest lose weight (Cauchy's loss); else plain least "
                       "squares, whose chi square other solvers have too");

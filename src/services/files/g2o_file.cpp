@@ -174,15 +174,22 @@ class G2oReader {
 
     void check_information(const Eigen::Matrix3d& information) const {
         constexpr double kRounding = 1e-6;  // files with six digits have no more
+        // Metres and radians may differ by any factor: each in units of its own.
+        const Eigen::Vector3d units = information.diagonal().unaryExpr(
+            [](double own) { return own > 0.0 ? 1.0 / std::sqrt(own) : 1.0; });
         const Eigen::Vector3d values =
-            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(information, Eigen::EigenvaluesOnly)
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
+                units.asDiagonal() * information * units.asDiagonal(), Eigen::EigenvaluesOnly)
                 .eigenvalues();
-        if (values.minCoeff() >= -kRounding * values.cwiseAbs().maxCoeff()) return;
+        if (information.diagonal().minCoeff() >= 0.0 && values.minCoeff() >= -kRounding) return;
         fail(line_,
              message(HITOS_TEXT("Errors",
                                 "the information has the eigenvalue %1; expected none below 0: the "
                                 "inverse of a covariance, its upper triangle row by row"),
-                     fmt::format("{:.6g}", values.minCoeff())));
+                     fmt::format("{:.6g}", Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
+                                               information, Eigen::EigenvaluesOnly)
+                                               .eigenvalues()
+                                               .minCoeff())));
     }
 
     void pass_over(std::string_view tag) {

@@ -66,7 +66,8 @@ PlanarError planar_error(const PlanarGraph& graph, const PlanarEdge& edge) {
 
 double mahalanobis_squared(const PlanarGraph& graph, const PlanarEdge& edge) {
     const PlanarError error = planar_error(graph, edge);
-    return error.value.dot(error.information * error.value);
+    // Of information written with few digits a direction may be a little below 0.
+    return std::max(0.0, error.value.dot(error.information * error.value));
 }
 
 double chi_square(const PlanarGraph& graph) {

@@ -165,8 +165,8 @@ class PlanarSolver {
     void sum(double damping) {
         anchor_lines();
         equations_.begin();
-        for (const std::size_t variable : variables_) {
-            if (variable != kNone) equations_.hold(variable, damping);
+        for (std::size_t i = 0; i < variables_.size(); ++i) {
+            if (variables_[i] != kNone) equations_.hold(variables_[i], damping * units_[i]);
         }
         for (const PlanarEdge& edge : graph_.edges) {
             PlanarError error = planar_error(graph_, edge);
@@ -196,6 +196,24 @@ class PlanarSolver {
         }
     }
 
+    /// The greatest information of an edge at each vertex: one that is known very well must not
+    /// hold the others. False where nothing says anything.
+    bool measure_units() {
+        units_.assign(graph_.vertices.size(), 0.0);
+        double greatest = 0.0;
+        for (const PlanarEdge& edge : graph_.edges) {
+            const double unit = edge.information.diagonal().maxCoeff();
+            for (const std::uint32_t vertex : {edge.from, edge.to}) {
+                units_[vertex] = std::max(units_[vertex], unit);
+            }
+            greatest = std::max(greatest, unit);
+        }
+        for (double& unit : units_) {
+            if (unit <= 0.0) unit = greatest;
+        }
+        return greatest > 0.0;
+    }
+
     /// Moves everything by the step. Returns the greatest part of it [m, rad].
     double move() {
         double greatest = 0.0;
@@ -220,6 +238,7 @@ class PlanarSolver {
     /// Where everything sees everything, a small file would take all memory and days.
     void check_size() {
         constexpr std::uint64_t kMillions = 100;
+        units_.assign(variables_.size(), 0.0);
         sum(0.0);
         if (equations_.factor_fits(kMillions * 1'000'000)) return;
         throw Error(message(
@@ -233,17 +252,13 @@ class PlanarSolver {
     void iterate(int most) {
         constexpr double kNoMove = 1e-9;    // [m, rad]
         constexpr double kRounding = 1e-4;  // [m, rad]: so small a step that helps nothing is noise
-        // Damping, in units of the greatest information.
+        // Damping, in units of the greatest information that a vertex has.
         constexpr double kLeast =
             1e-13;                       // keeps what nothing ties where it is, and is next to none
         constexpr double kFirst = 1e-6;  // after a step that made it worse
         constexpr double kMost = 1e6;
         constexpr double kFactor = 10.0;
-        double unit = 0.0;
-        for (const PlanarEdge& edge : graph_.edges) {
-            unit = std::max(unit, edge.information.diagonal().maxCoeff());
-        }
-        if (unit <= 0.0) {
+        if (!measure_units()) {
             solution_.converged = true;  // nothing says anything
             return;
         }
@@ -254,7 +269,7 @@ class PlanarSolver {
         std::vector<PlanarVertex> places;
         for (int step = 0; step < most && damping <= kMost; ++step) {
             ++solution_.steps;
-            sum(damping * unit);
+            sum(damping);
             places = graph_.vertices;
             double greatest = std::numeric_limits<double>::infinity();
             double after = greatest;
@@ -286,6 +301,7 @@ class PlanarSolver {
     double loss_ = 0.0;
     NormalEquations equations_;
     std::vector<std::size_t> variables_;  // of vertices; kNone: does not move
+    std::vector<double> units_;           // of damping, by vertex
     std::vector<char> held_;
     std::vector<std::uint32_t> roots_;  // fixed, held, or the first of a part with priors
     std::vector<Point2> anchors_;       // of lines

@@ -74,6 +74,36 @@ double furthest(const PlanarGraph& a, const PlanarGraph& b) {
     return greatest;
 }
 
+TEST(PlanarGraph, WhatIsKnownVeryWellHoldsNothingElse) {
+    // As a fixed vertex would, though its information is 10^23 times the edges'.
+    PlanarGraph fixed = small_world();
+    for (PlanarEdge& edge : fixed.edges) edge.information *= 1e-5;
+    PlanarGraph prior = fixed;
+    ASSERT_EQ(fixed.vertices.front().kind, VertexKind::pose);
+    fixed.vertices.front().fixed = true;
+    prior.vertices.front().fixed = false;
+    add_prior(prior, EdgeKind::pose_prior, 0, prior.vertices.front().at);
+    prior.edges.back().information = 1e18 * Eigen::Matrix3d::Identity();
+    EXPECT_TRUE(solve(fixed, false).converged);
+    const PlanarSolution solution = solve(prior, false);
+    EXPECT_TRUE(solution.converged);
+    EXPECT_GT(solution.greatest_move_m, 0.01);
+    EXPECT_LT(furthest(fixed, prior), 1e-5);
+}
+
+TEST(PlanarGraph, ADirectionALittleBelowNothingIsNone) {
+    PlanarGraph graph;
+    for (std::uint64_t id = 0; id < 2; ++id) {
+        PlanarVertex& vertex = graph.vertices.emplace_back();
+        vertex.id = id;
+        vertex.at(0) = 50.0 * static_cast<double>(id);
+    }
+    PlanarEdge& edge = graph.edges.emplace_back();
+    edge.to = 1;
+    edge.information = Eigen::Vector3d(-1e-7, 1.0, 1.0).asDiagonal();
+    EXPECT_EQ(chi_square(graph), 0.0);
+}
+
 TEST(PlanarGraph, ErrorsHaveTheDerivativesThatTheySay) {
     PlanarGraph graph = small_world();
     add_prior(graph, EdgeKind::pose_prior, 5, {1.0, 2.0, 0.5});

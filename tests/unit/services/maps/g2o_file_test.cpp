@@ -138,6 +138,8 @@ TEST(G2oFile, SaysWhatIsWrongWithALine) {
     EXPECT_THAT(fourth("EDGE_SE2 0 1 0 0 0 1 2 0 1 0 1"),
                 HasSubstr("the information has the eigenvalue -1; expected none below 0"));
     EXPECT_THAT(fourth("EDGE_SE2_XY 0 2 0 0 1 0 -1"), HasSubstr("the eigenvalue -1"));
+    // However great the others are.
+    EXPECT_THAT(fourth("EDGE_SE2_XY 0 2 0 0 1e12 0 -0.5"), HasSubstr("the eigenvalue -0.5"));
     EXPECT_THAT(fourth("EDGE_SE2_XY 0 2 0 0 1 0 1e19"), HasSubstr("I22 is \"1e19\""));
 }
 

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "hitos/slam/planar_graph.hpp"
-#include "manhattan.hpp"
+#include "unit/slam/manhattan.hpp"
 
 #ifdef HITOS_HAVE_CERES
 #include <ceres/ceres.h>
