@@ -195,10 +195,10 @@ TEST(NormalEquations, CountsTheNumbersOfTheFactorBeforeItIsMade) {
         }
         return system.equations.factor_fits(most);
     };
-    EXPECT_TRUE(fits(false, 9U * 11U));
-    EXPECT_FALSE(fits(false, 9U * 11U - 1U));
-    EXPECT_TRUE(fits(true, 9U * 21U));
-    EXPECT_FALSE(fits(true, 9U * 21U - 1U));
+    EXPECT_TRUE(fits(false, std::uint64_t{9} * 11));
+    EXPECT_FALSE(fits(false, std::uint64_t{9} * 11 - 1));
+    EXPECT_TRUE(fits(true, std::uint64_t{9} * 21));
+    EXPECT_FALSE(fits(true, std::uint64_t{9} * 21 - 1));
 }
 
 TEST(NormalEquations, AVariableThatIsHeldStaysAndOneThatNothingHoldsIsTold) {
