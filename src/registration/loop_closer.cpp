@@ -64,7 +64,6 @@ std::optional<LoopCloser::Place> LoopCloser::likeliest(const KeyGraph& graph,
 /// Where the last find far off says that the newest key is.
 std::optional<LoopCloser::Place> LoopCloser::followed(const KeyGraph& graph,
                                                       std::span<const GraphReach> reached) const {
-    constexpr SearchWindow kWindow{1.0, 0.1};
     if (found_.empty() || !found_.back().far ||
         graph.scans.back().travelled_m - found_.back().travelled_m >= kMemory) {
         return std::nullopt;
@@ -77,7 +76,7 @@ std::optional<LoopCloser::Place> LoopCloser::followed(const KeyGraph& graph,
         const double distance = distance_m(graph.poses[j].pose, there);
         if (distance >= nearest) continue;
         nearest = distance;
-        best = {static_cast<std::uint32_t>(j), there, kWindow, true};
+        best = {static_cast<std::uint32_t>(j), there, kAboutFound, true};
     }
     return best;
 }
@@ -163,8 +162,6 @@ bool LoopCloser::says(const Found& found, const Pose& now, const Pose& then, dou
 
 bool LoopCloser::agreed(const Pose& now, const Pose& then, double travelled_m, bool far) {
     constexpr double kLeastSpan = 1.5;  // [m] of travel between the first and the last
-    constexpr double kFarSpan = 4.0;    // [m]
-    constexpr int kMoreOfFar = 2;
     constexpr std::size_t kMostKept = 12;
     int agreeing = 1;
     double span = 0.0;

@@ -96,6 +96,10 @@ class LoopCloser {
     static constexpr double kMemory = 12.0;  // [m] of travel, of what was found
     static constexpr std::size_t kQueryKeys = 16;
     static constexpr std::size_t kFewestPoints = 40;  // of a query
+    static constexpr SearchWindow kAboutFound{1.0, 0.1};
+    // Where the graph expects no loop so many more finds must agree, and over that much travel.
+    static constexpr int kMoreOfFar = 2;
+    static constexpr double kFarSpan = 4.0;  // [m]
 
     std::optional<Place> likeliest(const KeyGraph& graph,
                                    std::span<const GraphReach> reached) const;
@@ -114,6 +118,7 @@ class LoopCloser {
         std::size_t first_key;
     };
 
+    static bool same_place(const Pose& a, const Pose& b);
     static std::optional<Place> place_about(const KeyGraph& graph, const CarriedPiece& piece,
                                             const Pose& at);
     std::optional<LoopFound> single_place(const KeyGraph& graph, const CarriedPiece& piece,

@@ -11,17 +11,8 @@
 namespace hitos {
 namespace {
 
-constexpr double kFarSpan = 4.0;  // [m] of travel between the first find and the last
-constexpr int kMoreFinds = 2;     // than of a loop that the graph expects
-constexpr SearchWindow kAboutFound{1.0, 0.1};
-
 double likeness(const LoopFound& loop) {
     return likeness(loop.record);
-}
-
-bool same_place(const Pose& a, const Pose& b) {
-    return distance_m(a, b) < kAboutFound.position_m &&
-           std::abs(wrap_angle(a.theta - b.theta)) < kAboutFound.heading_rad;
 }
 
 /// The keys before a piece that are nearest to a place, of whatever passage, the nearest first:
@@ -70,6 +61,11 @@ const LoopCloser::Before& LoopCloser::all_before(const KeyGraph& graph, const Ca
     before_ = std::make_shared<const Before>(
         Before{piece.first, std::move(positions), {map, half_m, kLevels}});
     return *before_;
+}
+
+bool LoopCloser::same_place(const Pose& a, const Pose& b) {
+    return distance_m(a, b) < kAboutFound.position_m &&
+           std::abs(wrap_angle(a.theta - b.theta)) < kAboutFound.heading_rad;
 }
 
 std::optional<LoopCloser::Place> LoopCloser::place_about(const KeyGraph& graph,
@@ -155,7 +151,7 @@ bool LoopCloser::agreed_on_piece(const Pose& now, const Pose& then, double trave
         span = std::max(span, travelled_m - found.travelled_m);
     }
     sought_.push_back({compose(then, inverse(now)), travelled_m, true, true, piece});
-    return agreeing >= params_.loops_agree + kMoreFinds && agreeing > others &&
+    return agreeing >= params_.loops_agree + kMoreOfFar && agreeing > others &&
            span > kFarSpan + kEachOther * others;
 }
 

@@ -196,11 +196,17 @@ void Registration::Impl::close_loop(std::vector<KeyPose>& before) {
         refused_.push_back(record);
         return;
     }
+    note_closed(record, std::move(now), before);
+    believe(found->key);
+}
+
+/// `now`: the keys as they were.
+void Registration::Impl::note_closed(LoopRecord& record, std::vector<KeyPose> now,
+                                     std::vector<KeyPose>& before) {
     record.move_m = greatest_move(now, graph_.poses);
     figures_.largest_correction_m = std::max(figures_.largest_correction_m, record.move_m);
     loops_.push_back(record);
     if (before.empty()) before = std::move(now);
-    believe(found->key);
 }
 
 /// Puts its edges into the graph and solves it. Of what is not closed no edge stays.

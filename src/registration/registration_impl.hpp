@@ -70,6 +70,7 @@ class Registration::Impl {
     void add_key(std::uint64_t scan);
     void close_loop(std::vector<KeyPose>& before);
     LoopVerdict close(const LoopFound& found, LoopRecord& record);
+    void note_closed(LoopRecord& record, std::vector<KeyPose> now, std::vector<KeyPose>& before);
     void doubt(std::uint64_t scan);
     void believe_where_it_fits(std::span<const Linearization> by_source);
     void believe(std::size_t earlier_key);

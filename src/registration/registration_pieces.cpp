@@ -77,10 +77,7 @@ void Registration::Impl::find_piece(std::vector<KeyPose>& before) {
     } else {
         carried_.pop_back();
     }
-    record.move_m = greatest_move(graph.poses, graph_.poses);
-    figures_.largest_correction_m = std::max(figures_.largest_correction_m, record.move_m);
-    loops_.push_back(record);
-    if (before.empty()) before = graph.poses;
+    note_closed(record, graph.poses, before);
 }
 
 /// Cuts the tour where the robot was carried and lays the newest key at a pose, with all keys since

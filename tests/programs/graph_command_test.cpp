@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "command_test.hpp"
 #include "hitos/services/files/g2o_file.hpp"
-#include "program.hpp"
 
 namespace hitos::test {
 namespace {
@@ -29,21 +29,9 @@ constexpr const char* kSquare =
     "EDGE_SE2_XY 1 10 2 2 100 0 100\n"
     "EDGE_SE2_XY 3 10 -1 -1 100 0 100\n";
 
-class GraphCommand : public ProgramTest {
+class GraphCommand : public CommandTest {
   protected:
-    Outcome call(const std::string& arguments) const {
-        return shell(cli_ + " graph " + arguments + " 2>&1");
-    }
-    json object(const std::string& arguments) const {
-        const Outcome outcome = call(arguments + " --json");
-        EXPECT_EQ(outcome.status, 0) << outcome.output;
-        return json::parse(outcome.output);
-    }
-    void refused(const std::string& arguments, const std::string& words) const {
-        const Outcome outcome = call(arguments);
-        EXPECT_EQ(outcome.status, 1) << outcome.output;
-        EXPECT_THAT(outcome.output, HasSubstr(words));
-    }
+    GraphCommand() : CommandTest("graph") {}
     std::string square() const { return file("square.g2o", kSquare); }
 };
 

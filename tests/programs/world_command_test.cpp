@@ -6,31 +6,19 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "command_test.hpp"
 #include "hitos/services/files/map_file.hpp"
 #include "hitos/simulation/drive/driven_path.hpp"
 #include "hitos/simulation/text/world_text.hpp"
-#include "program.hpp"
 
 namespace hitos::test {
 namespace {
 
 using nlohmann::json;
 
-class WorldCommand : public ProgramTest {
+class WorldCommand : public CommandTest {
   protected:
-    Outcome call(const std::string& arguments) const {
-        return shell(cli_ + " world " + arguments + " 2>&1");
-    }
-    json object(const std::string& arguments) const {
-        const Outcome outcome = call(arguments + " --json");
-        EXPECT_EQ(outcome.status, 0) << outcome.output;
-        return json::parse(outcome.output);
-    }
-    void refused(const std::string& arguments, const std::string& words) const {
-        const Outcome outcome = call(arguments);
-        EXPECT_EQ(outcome.status, 1) << outcome.output;
-        EXPECT_NE(outcome.output.find(words), std::string::npos) << outcome.output;
-    }
+    WorldCommand() : CommandTest("world") {}
     std::string world(const std::string& name) const {
         return kSource + "/data/worlds/" + name + ".toml";
     }

@@ -1,6 +1,8 @@
 // The error of an edge of a planar graph, with its derivatives.
 #pragma once
 
+#include <algorithm>
+
 #include "graph_landmark.hpp"
 #include "hitos/registration/odometry_step.hpp"
 #include "hitos/registration/pose_algebra.hpp"
@@ -20,6 +22,10 @@ struct PlanarError {
     SmallMatrix information;
 };
 PlanarError planar_error(const PlanarGraph& graph, const PlanarEdge& edge);
+/// Of information written with few digits a direction may be a little below 0.
+inline double mahalanobis_squared(const PlanarError& error) {
+    return std::max(0.0, error.value.dot(error.information * error.value));
+}
 
 /// The vertices where the fewest edges from a root have them; those that none leads to stay.
 std::vector<PlanarVertex> along_edges(const PlanarGraph& graph,

@@ -65,9 +65,7 @@ PlanarError planar_error(const PlanarGraph& graph, const PlanarEdge& edge) {
 }
 
 double mahalanobis_squared(const PlanarGraph& graph, const PlanarEdge& edge) {
-    const PlanarError error = planar_error(graph, edge);
-    // Of information written with few digits a direction may be a little below 0.
-    return std::max(0.0, error.value.dot(error.information * error.value));
+    return mahalanobis_squared(planar_error(graph, edge));
 }
 
 double chi_square(const PlanarGraph& graph) {

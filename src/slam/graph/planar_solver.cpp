@@ -33,9 +33,28 @@ std::vector<std::uint32_t> leaders(const PlanarGraph& graph) {
     return leader;
 }
 
+/// The greatest information of an edge at each vertex, all 0 where nothing says anything: one that
+/// is known very well must not hold the others.
+std::vector<double> greatest_information(const PlanarGraph& graph) {
+    std::vector<double> units(graph.vertices.size(), 0.0);
+    double greatest = 0.0;
+    for (const PlanarEdge& edge : graph.edges) {
+        const double unit = edge.information.diagonal().maxCoeff();
+        for (const std::uint32_t vertex : {edge.from, edge.to}) {
+            units[vertex] = std::max(units[vertex], unit);
+        }
+        greatest = std::max(greatest, unit);
+    }
+    for (double& unit : units) {
+        if (unit <= 0.0) unit = greatest;
+    }
+    return units;
+}
+
 class PlanarSolver {
   public:
-    PlanarSolver(PlanarGraph& graph, bool robust) : graph_(graph), robust_(robust) {
+    PlanarSolver(PlanarGraph& graph, bool robust)
+        : graph_(graph), robust_(robust), units_(greatest_information(graph)) {
         hold_parts();
         variables_.assign(graph.vertices.size(), kNone);
         for (std::size_t i = 0; i < graph.vertices.size(); ++i) {
@@ -171,8 +190,7 @@ class PlanarSolver {
         for (const PlanarEdge& edge : graph_.edges) {
             PlanarError error = planar_error(graph_, edge);
             if (robust_ && !edge.by_hand) {
-                const double d2 = error.value.dot(error.information * error.value);
-                error.information *= robust_weight(d2 / width_);
+                error.information *= robust_weight(mahalanobis_squared(error) / width_);
             }
             if (edge.kind == PlanarEdge::Kind::line) {
                 // From (rho, theta).
@@ -194,24 +212,6 @@ class PlanarSolver {
                 equations_.add(to, error.by_to, from, error.by_from, w, error.value);
             }
         }
-    }
-
-    /// The greatest information of an edge at each vertex: one that is known very well must not
-    /// hold the others. False where nothing says anything.
-    bool measure_units() {
-        units_.assign(graph_.vertices.size(), 0.0);
-        double greatest = 0.0;
-        for (const PlanarEdge& edge : graph_.edges) {
-            const double unit = edge.information.diagonal().maxCoeff();
-            for (const std::uint32_t vertex : {edge.from, edge.to}) {
-                units_[vertex] = std::max(units_[vertex], unit);
-            }
-            greatest = std::max(greatest, unit);
-        }
-        for (double& unit : units_) {
-            if (unit <= 0.0) unit = greatest;
-        }
-        return greatest > 0.0;
     }
 
     /// Moves everything by the step. Returns the greatest part of it [m, rad].
@@ -238,7 +238,6 @@ class PlanarSolver {
     /// Where everything sees everything, a small file would take all memory and days.
     void check_size() {
         constexpr std::uint64_t kMillions = 100;
-        units_.assign(variables_.size(), 0.0);
         sum(0.0);
         if (equations_.factor_fits(kMillions * 1'000'000)) return;
         throw Error(message(
@@ -258,7 +257,7 @@ class PlanarSolver {
         constexpr double kFirst = 1e-6;  // after a step that made it worse
         constexpr double kMost = 1e6;
         constexpr double kFactor = 10.0;
-        if (!measure_units()) {
+        if (units_.front() <= 0.0) {
             solution_.converged = true;  // nothing says anything
             return;
         }
@@ -297,11 +296,11 @@ class PlanarSolver {
 
     PlanarGraph& graph_;
     bool robust_;
-    double width_ = 1.0;  // of the robust loss, squared
+    std::vector<double> units_;  // of damping, by vertex
+    double width_ = 1.0;         // of the robust loss, squared
     double loss_ = 0.0;
     NormalEquations equations_;
     std::vector<std::size_t> variables_;  // of vertices; kNone: does not move
-    std::vector<double> units_;           // of damping, by vertex
     std::vector<char> held_;
     std::vector<std::uint32_t> roots_;  // fixed, held, or the first of a part with priors
     std::vector<Point2> anchors_;       // of lines
