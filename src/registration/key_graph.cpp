@@ -19,7 +19,8 @@ void KeyGraph::add(const KeyPose& pose, KeyScan scan) {
 }
 
 void KeyGraph::cut(std::size_t begin) {
-    cuts_.insert(std::ranges::upper_bound(cuts_, begin), begin);
+    if (!std::ranges::binary_search(cuts_, begin))
+        cuts_.insert(std::ranges::upper_bound(cuts_, begin), begin);
     const auto across = [&](std::size_t a, std::size_t b) { return (a < begin) != (b < begin); };
     std::erase_if(edges, [&](const PoseEdge& edge) {
         return edge.kind != EdgeKind::by_hand && across(edge.from, edge.to);

@@ -30,9 +30,11 @@ double window_rad(const GraphReach& reach) {
     return std::min(kGreatestTurn, 0.06 + 3.0 * std::sqrt(reach.variance_rad2));
 }
 
-/// Whether a key lies far enough back to be another passage.
+/// Whether a key lies far enough back to be another passage; where no way leads to it, nobody
+/// knows.
 bool passed(const KeyGraph& graph, std::span<const GraphReach> reached, std::size_t key) {
-    return graph.scans.back().travelled_m - graph.scans[key].travelled_m >= kLeastWay &&
+    return reached[key].way_m < GraphReach::kNever &&
+           graph.scans.back().travelled_m - graph.scans[key].travelled_m >= kLeastWay &&
            reached[key].way_m >= kLeastWay;
 }
 

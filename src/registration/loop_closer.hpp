@@ -29,8 +29,11 @@ struct LoopFound {
 struct CarriedPiece {
     std::size_t first = 0;  ///< key of it
     std::size_t query = 0;  ///< the first key whose scan can be trusted to lie as its neighbours do
-    std::uint64_t scan = 0;  ///< the first of it
-    double broken_m = 0.0;   ///< way driven when the last break was told
+    std::uint64_t scan = 0;   ///< the first of it
+    double broken_m = 0.0;    ///< way driven when the last break was told
+    bool other_tour = false;  ///< it is a second tour: no way leads to it
+    /// Where about its first key is, in the frame of the first tour, as somebody says.
+    std::optional<Pose> start = {};
 };
 
 /// Looks for an earlier passage of the newest key. Not one scan but the points of the last metres

@@ -11,6 +11,8 @@
 namespace hitos {
 namespace {
 
+constexpr double kSaidHeading = 0.6;  // [rad] from what somebody says
+
 double likeness(const LoopFound& loop) {
     return likeness(loop.record);
 }
@@ -79,7 +81,7 @@ std::optional<LoopCloser::Place> LoopCloser::place_about(const KeyGraph& graph,
 /// The one place before the piece that looks like where the newest key is now.
 std::optional<LoopFound> LoopCloser::single_place(const KeyGraph& graph, const CarriedPiece& piece,
                                                   std::vector<LoopRecord>& refused) {
-    constexpr double kNearlyAsLike = 0.9;
+    constexpr double kNearlyAsLike = 0.7;  // of places alike one may lie a little better
     constexpr std::size_t kMostKeys = 40;
     constexpr std::size_t kFewPoints = 100;
     const std::size_t newest = graph.size() - 1;
@@ -92,8 +94,18 @@ std::optional<LoopFound> LoopCloser::single_place(const KeyGraph& graph, const C
     std::vector<SurfacePoint> few;
     const std::size_t every = wide.size() / kFewPoints + 1;
     for (std::size_t i = 0; i < wide.size(); i += every) few.push_back(wide[i]);
-    const BestPlaces best =
-        best_places(few, before.picture, before.positions, {.least_score = params_.loop_score});
+    std::optional<Pose> said;
+    std::vector<Point2> about;
+    if (piece.start) {
+        said =
+            compose(*piece.start, between(graph.poses[piece.first].pose, graph.poses[newest].pose));
+        about.push_back({said->x, said->y});
+    }
+    BestPlaces best = best_places(few, before.picture, said ? about : before.positions,
+                                  {.least_score = params_.loop_score});
+    std::erase_if(best.places, [&said](const Correlation& place) {
+        return said && std::abs(wrap_angle(place.pose.theta - said->theta)) > kSaidHeading;
+    });
     for (const Correlation& place : best.places) {
         auto loop = look(graph, place_about(graph, piece, place.pose), unlike);
         if (loop && std::ranges::none_of(like, [&](const LoopFound& other) {

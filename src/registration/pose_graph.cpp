@@ -84,7 +84,9 @@ double PoseGraphSolver::solve(std::vector<KeyPose>& keys, const GraphSolution& h
             ++iteration;
             equations_.begin();
             equations_.hold(0, kHeld);
-            for (std::size_t i = 1; i < keys.size(); ++i) equations_.hold(i, kRegular);
+            for (std::size_t i = 1; i < keys.size(); ++i) {
+                equations_.hold(i, i < how.held ? kHeld : kRegular);
+            }
         } else {
             equations_.begin_gradient();
         }
@@ -96,7 +98,7 @@ double PoseGraphSolver::solve(std::vector<KeyPose>& keys, const GraphSolution& h
             factored = true;  // the same step again, with a factor of its own
             continue;
         }
-        for (std::size_t i = 0; i < keys.size(); ++i) {
+        for (std::size_t i = how.held; i < keys.size(); ++i) {
             keys[i].pose = shifted(keys[i].pose, equations_.step(i));
         }
         if (greatest < kStill) break;

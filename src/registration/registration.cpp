@@ -39,14 +39,19 @@ RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control
     const bool first = graph_.size() == 0;
     const bool wanted = editor_.needs_key(out.scan);
     const bool slipped = editor_.slipped(out.scan);
+    const bool other_tour = scan.begins_tour && !first;
     const bool moved = way.moved() || slipped;
-    if (first || moved || wanted) {  // else there is nothing to match, and no key due
+    if (first || moved || wanted || other_tour) {  // else nothing to match, and no key due
         find_surface_points(scan, params_.range_m, points_);
-        if (!first && moved) step(way, slipped, out);
-        out.key = first || wanted || key_due();
+        if (other_tour) {
+            leave_first_tour();
+        } else if (!first && moved) {
+            step(way, slipped, out);
+        }
+        out.key = first || wanted || other_tour || key_due();
     }
     out.pose = now_;
-    if (out.key) add_key(out.scan);
+    if (out.key) add_key(out.scan, other_tour);
     const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
     placed_.push_back({newest, between(graph_.poses[newest].pose, now_)});
     if (out.key) {
@@ -146,8 +151,9 @@ bool Registration::Impl::key_due() const {
            std::abs(since.theta) > params_.key_angle_rad;
 }
 
-void Registration::Impl::add_key(std::uint64_t scan) {
-    if (graph_.size() > 0) refresh_map(now_);  // of one that stood, the graph may have moved since
+void Registration::Impl::add_key(std::uint64_t scan, bool other_tour) {
+    // Of one that stood, the graph may have moved since.
+    if (graph_.size() > 0 && !other_tour) refresh_map(now_);
     KeyScan key;
     key.hold(points_);
     key.travelled_m = travelled_m_;
@@ -155,7 +161,9 @@ void Registration::Impl::add_key(std::uint64_t scan) {
     key.variance_rad2 = variance_rad2_ + kKeySlipRad * kKeySlipRad;
     graph_.add({now_, scan}, std::move(key));
     const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
-    if (newest > 0) {
+    if (other_tour) {
+        begin_second_tour(scan);
+    } else if (newest > 0) {
         if (odometry_variances_.isZero())  // it stood
             odometry_variances_ = odometry_variances({}, params_.odometry_scale);
         graph_.edges.push_back({newest - 1, newest, odometry_,
@@ -200,10 +208,11 @@ void Registration::Impl::close_loop(std::vector<KeyPose>& before) {
     believe(found->key);
 }
 
-/// `now`: the keys as they were.
+/// `now`: the keys as they were; to move those from `corrected` on corrects nothing.
 void Registration::Impl::note_closed(LoopRecord& record, std::vector<KeyPose> now,
-                                     std::vector<KeyPose>& before) {
-    record.move_m = greatest_move(now, graph_.poses);
+                                     std::vector<KeyPose>& before, std::size_t corrected) {
+    record.move_m =
+        greatest_move(std::span(now).first(std::min(corrected, now.size())), graph_.poses);
     figures_.largest_correction_m = std::max(figures_.largest_correction_m, record.move_m);
     loops_.push_back(record);
     if (before.empty()) before = std::move(now);
@@ -229,9 +238,9 @@ LoopVerdict Registration::Impl::close(const LoopFound& found, LoopRecord& record
     // off.
     const std::span known = std::span(graph_.edges).first(first);
     PoseGraphSolver solver(graph_.size(), graph_.edges);
-    solver.solve(graph_.poses, {6, false}, first);
+    solver.solve(graph_.poses, solution(6, false), first);
     const double tension_before = tension(known);
-    solver.solve(graph_.poses, {6, false});
+    solver.solve(graph_.poses, solution(6, false));
     // What three standard deviations in each direction explain, and the new edges' own.
     record.chi_square_limit = 3.0 * 9.0 + 3.0 * static_cast<double>(graph_.edges.size() - first);
     record.chi_square = tension(graph_.edges) - tension_before;
@@ -242,7 +251,7 @@ LoopVerdict Registration::Impl::close(const LoopFound& found, LoopRecord& record
     for (std::size_t i = first; i < graph_.edges.size(); ++i) {
         graph_.join(graph_.edges[i].from, graph_.edges[i].to);
     }
-    solver.solve(graph_.poses, {6, true});
+    solver.solve(graph_.poses, solution(6, true));
     return LoopVerdict::closed;
 }
 
@@ -263,7 +272,8 @@ double Registration::Impl::squared_distance(const PoseEdge& edge) const {
 void Registration::Impl::correct(const std::vector<KeyPose>& keys_before) {
     std::vector<Pose> moves;
     for (std::size_t k = 0; k < graph_.size(); ++k) {
-        moves.push_back(compose(graph_.poses[k].pose, inverse(keys_before[k].pose)));
+        moves.push_back(k < held_ ? Pose{}
+                                  : compose(graph_.poses[k].pose, inverse(keys_before[k].pose)));
     }
     for (const Placed& placed : placed_) corrections_.push_back(moves[placed.key]);
     now_ = compose(graph_.poses[placed_.back().key].pose, placed_.back().pose_key_scan);
@@ -275,7 +285,7 @@ void Registration::Impl::finish() {
     editor_.check_end(placed_.size());
     if (graph_.size() < 2) return;
     const std::vector<KeyPose> before = graph_.poses;
-    solve(graph_.poses, graph_.edges, {10, true});
+    solve(graph_.poses, graph_.edges, solution(10, true));
     for (int pass = 0; pass < params_.final_passes; ++pass) register_anew(pass == 0);
     weigh_loops();
     correct(before);
@@ -285,13 +295,13 @@ void Registration::Impl::finish() {
 /// Every key's scan against its neighbours as they lie now.
 void Registration::Impl::register_anew(bool first) {
     constexpr MatchStage kWide{0.4, 0.1, true};
-    std::erase_if(graph_.edges, [](const PoseEdge& edge) {
-        return edge.kind == EdgeKind::scan || edge.kind == EdgeKind::loop;
+    std::erase_if(graph_.edges, [&](const PoseEdge& edge) {
+        return (edge.kind == EdgeKind::scan || edge.kind == EdgeKind::loop) && edge.to >= held_;
     });
     std::vector<GraphReach> reached;
     std::vector<std::uint32_t> keys;
     PointMap map;
-    for (std::size_t k = 1; k < graph_.size(); ++k) {
+    for (std::size_t k = std::max<std::size_t>(held_, 1); k < graph_.size(); ++k) {
         graph_.reach(k, reached, 2.0 * kOldKeysWay);
         const Pose& pose = graph_.poses[k].pose;
         select_keys(graph_, k, pose, newest_in_map(), reached, 2.0 * kOldKeysWay, keys);
@@ -303,7 +313,7 @@ void Registration::Impl::register_anew(bool first) {
         graph_.add_scan_edges(static_cast<std::uint32_t>(k), pose, keys, by_source_,
                               matcher_.information(), newest_in_map());
     }
-    solve(graph_.poses, graph_.edges, {3, true});
+    solve(graph_.poses, graph_.edges, solution(3, true));
 }
 
 void Registration::Impl::weigh_loops() {
@@ -394,6 +404,9 @@ std::span<const PoseEdge> Registration::edges() const {
 }
 RegistrationFigures Registration::figures() const {
     return impl_->figures();
+}
+std::vector<ChangedPlace> Registration::changes() const {
+    return impl_->changes();
 }
 
 }  // namespace hitos

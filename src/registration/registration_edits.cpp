@@ -25,12 +25,14 @@ void Registration::Impl::edit_graph(std::vector<KeyPose>& before) {
     };
     for (const GraphEdit& edit : edits) {
         if (edit.kind == GraphEdit::Kind::fix) {
+            lay_where_said(edit.pose, 0);
             hold(0, between(graph_.poses.front().pose, edit.pose), edit.kind);
             continue;
         }
         const auto earlier = static_cast<std::uint32_t>(
             std::ranges::lower_bound(graph_.poses, edit.earlier.scan, {}, &KeyPose::scan) -
             graph_.poses.begin());
+        lay_where_said(compose(graph_.poses[earlier].pose, edit.pose), earlier);
         LoopRecord record;
         record.scan = edit.scan.scan;
         record.earlier = edit.earlier.scan;
@@ -44,11 +46,11 @@ void Registration::Impl::edit_graph(std::vector<KeyPose>& before) {
         believe(earlier);
     }
     PoseGraphSolver solver(graph_.size(), graph_.edges);
-    solver.solve(graph_.poses, {6, false}, first_edge);
+    solver.solve(graph_.poses, solution(6, false), first_edge);
     const double tension_before = tension(std::span(graph_.edges).first(first_edge));
-    solver.solve(graph_.poses, {6, false});
+    solver.solve(graph_.poses, solution(6, false));
     const double bent = tension(graph_.edges) - tension_before;
-    solver.solve(graph_.poses, {6, true});
+    solver.solve(graph_.poses, solution(6, true));
     const double move_m = greatest_move(before, graph_.poses);
     for (LoopRecord& loop : std::span(loops_).subspan(first_loop)) {
         loop.chi_square = bent;
@@ -56,6 +58,14 @@ void Registration::Impl::edit_graph(std::vector<KeyPose>& before) {
     }
     figures_.largest_correction_m = std::max(figures_.largest_correction_m, move_m);
     closer_.forget();
+}
+
+/// Somebody says where the newest key is, from a key on: a tour that nobody has found begins there.
+void Registration::Impl::lay_where_said(const Pose& pose, std::size_t from) {
+    if (carried_.empty() || !carried_.back().other_tour || from >= carried_.back().first) return;
+    lay_piece(pose);
+    note_found(graph_.poses.back().scan);
+    carried_.pop_back();
 }
 
 LoopRecord Registration::Impl::fitted_loop(std::uint64_t scan, std::uint64_t earlier,

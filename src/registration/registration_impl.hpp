@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "graph_editor.hpp"
 #include "hitos/registration/odometry_step.hpp"
+#include "hitos/registration/pose_graph_solver.hpp"
 #include "hitos/registration/registration.hpp"
 #include "key_graph.hpp"
 #include "loop_closer.hpp"
@@ -41,9 +43,10 @@ class Registration::Impl {
     const std::vector<LoopRecord>& loops() const { return loops_; }
     const std::vector<LoopRecord>& refused_loops() const { return refused_; }
     RegistrationFigures figures() const;
+    std::vector<ChangedPlace> changes() const;
     std::optional<PathCorrection> correction() const {
         if (corrections_.empty()) return std::nullopt;
-        return PathCorrection{corrections_, graph_.poses, graph_.edges};
+        return PathCorrection{corrections_, graph_.poses, graph_.edges, held_ > 0};
     }
 
   private:
@@ -67,15 +70,23 @@ class Registration::Impl {
     void learn(const DrivenWay& way, const Guess& guess, const Pose& before);
     void refresh_map(const Pose& about);
     bool key_due() const;
-    void add_key(std::uint64_t scan);
+    void add_key(std::uint64_t scan, bool other_tour);
     void close_loop(std::vector<KeyPose>& before);
     LoopVerdict close(const LoopFound& found, LoopRecord& record);
-    void note_closed(LoopRecord& record, std::vector<KeyPose> now, std::vector<KeyPose>& before);
+    void note_closed(LoopRecord& record, std::vector<KeyPose> now, std::vector<KeyPose>& before,
+                     std::size_t corrected = std::numeric_limits<std::size_t>::max());
     void doubt(std::uint64_t scan);
     void believe_where_it_fits(std::span<const Linearization> by_source);
     void believe(std::size_t earlier_key);
     void find_piece(std::vector<KeyPose>& before);
     void lay_piece(const Pose& pose);
+    void leave_first_tour();
+    void begin_second_tour(std::uint64_t scan);
+    void note_found(std::uint64_t scan);
+    void lay_where_said(const Pose& pose, std::size_t from);
+    GraphSolution solution(int iterations, bool robust) const {
+        return {iterations, robust, held_};
+    }
     void edit_graph(std::vector<KeyPose>& before);
     void weigh_loops();
     double tension(std::span<const PoseEdge> edges) const;
@@ -105,6 +116,7 @@ class Registration::Impl {
     bool map_stale_ = true;
     // Where the robot may have been carried, as long as nothing has told that it was not.
     std::vector<CarriedPiece> carried_;
+    std::size_t held_ = 0;  // keys that stay where they are
     std::vector<GraphReach> reached_;
     std::vector<SurfacePoint> points_;
     std::vector<Linearization> by_source_;

@@ -1,6 +1,8 @@
 // A robot that was carried, found again where it has been before.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -8,6 +10,11 @@
 #include "registration_impl.hpp"
 
 namespace hitos {
+namespace {
+
+constexpr double kApart = 100.0;  // [m], of a second tour from the first
+
+}  // namespace
 
 /// From this scan on the robot may be anywhere. Breaks that follow on each other are one: of scans
 /// that fit nothing there are several until the local map is of the new place.
@@ -57,10 +64,13 @@ void Registration::Impl::find_piece(std::vector<KeyPose>& before) {
     }
     const KeyGraph graph = graph_;
     const std::vector<Placed> placed = placed_;
+    const bool other_tour = carried_.back().other_tour;
+    const std::size_t corrected = other_tour ? carried_.back().first : graph_.size();
     // Outdoors much is bent between breaks where nobody carried the robot: what the graph explains
     // is a loop like any other.
-    const bool explained = (record.verdict = close(*found, record)) == LoopVerdict::closed;
-    if (record.verdict == LoopVerdict::strained) {
+    const bool explained =
+        !other_tour && (record.verdict = close(*found, record)) == LoopVerdict::closed;
+    if (other_tour || record.verdict == LoopVerdict::strained) {
         graph_ = graph;
         lay_piece(found->pose);
         record.verdict = close(*found, record);
@@ -72,12 +82,44 @@ void Registration::Impl::find_piece(std::vector<KeyPose>& before) {
         return;
     }
     closer_.forget();
+    if (other_tour) note_found(record.scan);
     if (explained) {
         believe(found->key);
     } else {
         carried_.pop_back();
     }
-    note_closed(record, graph.poses, before);
+    note_closed(record, graph.poses, before, corrected);
+}
+
+/// A second tour begins anywhere in the world: beside all that the first one has seen, until it is
+/// found.
+void Registration::Impl::leave_first_tour() {
+    Pose beside;
+    for (const KeyPose& key : graph_.poses) {
+        beside.x = std::max(beside.x, key.pose.x);
+        beside.y = std::max(beside.y, key.pose.y);
+    }
+    now_ = {beside.x + kApart, beside.y + kApart, 0.0};
+}
+
+/// The newest key is its first.
+void Registration::Impl::begin_second_tour(std::uint64_t scan) {
+    const std::size_t first = graph_.size() - 1;
+    graph_.cut(first);
+    carried_.push_back({first, first, scan, travelled_m_, true, start_of(params_.start)});
+    figures_.second_tour = {scan, std::nullopt, 0.0};
+    if (params_.hold) held_ = first;
+    // It holds the tour where it lies, for whoever solves the graph, and goes when it is found.
+    const auto from = static_cast<std::uint32_t>(first - 1);
+    graph_.edges.push_back({from, from + 1,
+                            between(graph_.poses[from].pose, graph_.poses[first].pose),
+                            Eigen::Matrix3d::Identity(), EdgeKind::odometry});
+}
+
+void Registration::Impl::note_found(std::uint64_t scan) {
+    if (!figures_.second_tour || figures_.second_tour->found) return;
+    figures_.second_tour->found = scan;
+    figures_.second_tour->way_m = travelled_m_ - graph_.scans[carried_.back().first].travelled_m;
 }
 
 /// Cuts the tour where the robot was carried and lays the newest key at a pose, with all keys since

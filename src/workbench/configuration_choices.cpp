@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
@@ -35,6 +36,12 @@ void choose_values(Configuracion& configuration, const ValueChoices& choices) {
         if (!changes.empty()) changes += ' ';
         changes += assignment;
     }
+    if (!choices.map.empty()) {
+        configuration.source.map =
+            std::filesystem::absolute(choices.map).lexically_normal().string();
+    }
+    if (!choices.near.empty()) configuration.registration.start = choices.near;
+    if (choices.localise) configuration.registration.hold = true;
     if (choices.tour_seed) {
         find_parameter("source.tour_seed").set(configuration, std::to_string(*choices.tour_seed));
     }

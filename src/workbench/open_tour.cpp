@@ -2,11 +2,14 @@
 
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
+#include "hitos/capture/joined_tour.hpp"
 #include "hitos/registration/scan_odometry.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "hitos/simulation/drive/simulated_tour_reader.hpp"
 
@@ -23,7 +26,25 @@ World open_world(const SourceParams& source, std::uint64_t run_seed) {
     return world;
 }
 
-std::unique_ptr<TourReader> open_tour(const SourceParams& source, std::uint64_t run_seed) {
+namespace {
+
+/// Of a chain of maps, each of which goes on with another one.
+constexpr int kMostMaps = 20;
+
+/// What the run whose results are a tour's map was run with.
+Configuracion configuration_of_map(const std::string& folder) {
+    const std::filesystem::path file = std::filesystem::path(folder) / "config.cfg";
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) {
+        throw FileError(folder,
+                        HITOS_TEXT("Errors",
+                                   "holds no results of a run (no config.cfg); expected the folder "
+                                   "that a run of the first tour has written"));
+    }
+    return ArchivoConfiguracion::read(file);
+}
+
+std::unique_ptr<TourReader> open_one(const SourceParams& source, std::uint64_t run_seed) {
     if (!is_world_file(source.file)) return open_source(source);
     // Older configurations name the format in which worlds used to be read.
     if (source.format != kAutoFormat && source.format != "normalized") {
@@ -38,6 +59,36 @@ std::unique_ptr<TourReader> open_tour(const SourceParams& source, std::uint64_t 
     return make_scan_odometry(std::move(reader));
 }
 
+std::unique_ptr<TourReader> open_behind(const SourceParams& source, std::uint64_t run_seed,
+                                        int maps) {
+    if (source.map.empty()) return open_one(source, run_seed);
+    if (maps == kMostMaps) {
+        throw ConfigError(
+            "source.map",
+            HITOS_TEXT("Errors", "%1 is the end of a chain of %2 maps, or of a circle of them"),
+            source.map, kMostMaps);
+    }
+    const Configuracion before = configuration_of_map(source.map);
+    return make_joined_tour(open_behind(before.source, before.run.seed, maps + 1),
+                            open_one(source, run_seed));
+}
+
+}  // namespace
+
+Configuracion configuration_to_go_on(const std::string& map) {
+    Configuracion configuration = configuration_of_map(map);
+    const ReadOptions read = for_another_recording(configuration.source.read);
+    configuration.source = {};
+    configuration.source.read = read;
+    configuration.registration.hold = false;
+    configuration.registration.start.clear();
+    return configuration;
+}
+
+std::unique_ptr<TourReader> open_tour(const SourceParams& source, std::uint64_t run_seed) {
+    return open_behind(source, run_seed, 0);
+}
+
 std::unique_ptr<TourReader> open_tour(const Configuracion& configuration) {
     return open_tour(configuration.source, configuration.run.seed);
 }
@@ -50,6 +101,19 @@ std::vector<std::filesystem::path> tour_files(const std::string& file) {
             files.push_back(std::move(world.drawing));
         }
     } catch (const Error&) {  // whoever opens it is told
+    }
+    return files;
+}
+
+std::vector<std::filesystem::path> tour_files(const SourceParams& source) {
+    std::vector<std::filesystem::path> files = tour_files(source.file);
+    std::string folder = source.map;
+    for (int maps = 0; !folder.empty() && maps < kMostMaps; ++maps) {
+        const SourceParams before = configuration_of_map(folder).source;
+        files.push_back(std::filesystem::path(folder) / "config.cfg");
+        for (std::filesystem::path& file : tour_files(before.file))
+            files.push_back(std::move(file));
+        folder = before.map;
     }
     return files;
 }

@@ -9,7 +9,11 @@ namespace hitos {
 
 void set_study_source(Study& study, double level, OdometryNoiseKind kind) {
     static_cast<void>(OdometryNoise(level, kind, 0));  // throws for an impossible level
-    study.inputs = tour_files;
+    study.inputs = [read = study.configuration.source](const std::string& log) {
+        SourceParams source = read;
+        source.file = log;
+        return tour_files(source);
+    };
     study.source.open = [](const SourceParams& source, std::uint64_t seed) {
         return open_tour(source, seed);
     };

@@ -88,6 +88,10 @@ void tell_summary(const RunSummary& summary, const std::string& folder, const Re
     if (!summary.distances.empty()) report.say("{}", distance_table(summary.distances));
     if (const auto& figures = summary.quality.registration; figures && figures->scans > 0) {
         const auto closed = std::ranges::count_if(summary.quality.loops, &RunLoop::closed);
+        if (const auto& second = figures->second_tour; second && second->found) {
+            report.say("found in the map after {:.1f} m, at scan {} ({} of this tour)\n",
+                       second->way_m, *second->found + 1, *second->found - second->begin + 1);
+        }
         report.say("{} of {} fitted, {} closed, largest correction {:.2f} m\n",
                    figures->scans - figures->unmatched, plural(figures->scans, "scan"),
                    plural(static_cast<std::uint64_t>(closed), "loop"),
@@ -221,7 +225,7 @@ void run(const RunOptions& options) {
     references.tolerance_s = options.tolerance_s;
     if (!options.distances.empty())
         references.distances = read_distances(input_named(options.distances, "--distances"));
-    const std::vector<std::filesystem::path> tour = tour_files(source);
+    const std::vector<std::filesystem::path> tour = tour_files(configuration.source);
     check_outputs(options, tour);
     const StopByRequest request;  // before there is anything to be cleared
     std::unique_ptr<StagedFolder> folder(new StagedFolder(results_folder(options.out)));

@@ -19,6 +19,7 @@
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "hitos/workbench/configuration_choices.hpp"
+#include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "manual/topic_options.hpp"
 
@@ -166,6 +167,21 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
     command.add_option("--edits", options.values.edits,
                        "File of what is changed by hand in the graph of this very tour: loops "
                        "refused or closed, scans fixed, steps that slipped (docs/formats.md)");
+    CLI::Option* map = command.add_option(
+        "--map", options.values.map,
+        "Folder with the results of a run: the robot, which may begin anywhere in its map, is "
+        "found in it, and the map goes on with this tour. With that run's parameters unless "
+        "--config or --preset say others");
+    command
+        .add_flag("--localise", options.values.localise,
+                  "Of the map of --map change nothing: find the robot in it and follow it")
+        ->needs(map);
+    command
+        .add_option("--near", options.values.near,
+                    "Where in that map this tour begins, give or take 3 m and 30 degrees, for "
+                    "places that look alike (default: anywhere)")
+        ->type_name("X,Y,DEGREES")
+        ->needs(map);
     command
         .add_option("--world-set", options.values.world_assignments,
                     "Change one value of the world that is simulated, e.g. --world-set "
@@ -236,7 +252,8 @@ int exit_status(const CLI::App& program, const CLI::ParseError& error) {
 }
 
 std::string_view suited_preset(const ConfigurationOptions& options, const std::string& source) {
-    const bool chosen = !options.file.empty() || options.preset != kAutoPreset;
+    const bool chosen =
+        !options.file.empty() || options.preset != kAutoPreset || !options.values.map.empty();
     return chosen ? std::string_view() : hitos::suited_preset(source);
 }
 
@@ -252,6 +269,8 @@ Configuracion load(const ConfigurationOptions& options, std::string_view suited)
         configuration = ArchivoConfiguracion::read(input_named(options.file, "--config"));
     } else if (options.preset != kAutoPreset) {
         configuration = preset_configuration(options.preset);
+    } else if (!options.values.map.empty()) {
+        configuration = configuration_to_go_on(options.values.map);
     } else if (!suited.empty()) {
         configuration = preset_configuration(suited);
     }

@@ -69,7 +69,7 @@ Run::Run(const TourArgument& tour, Configuracion configuration, References refer
          bool uncertainty)
     : configuration_(std::move(configuration)),
       references_(std::move(references)),
-      inputs_(without_python([&] { return InputFiles(tour_files(tour.source.file)); })) {
+      inputs_(without_python([&] { return InputFiles(tour_files(configuration_.source)); })) {
     AlgoritmoOptions options;
     options.uncertainty = uncertainty;
     std::optional<Advice> doubt;
@@ -181,7 +181,7 @@ std::string Run::summary(std::uint64_t revision) {
 
 std::unique_ptr<StagedFolder> Run::folder_for(const std::filesystem::path& path) const {
     std::error_code ignored;
-    for (const std::filesystem::path& file : tour_files(configuration_.source.file)) {
+    for (const std::filesystem::path& file : tour_files(configuration_.source)) {
         const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
         if (is_results_file(file.filename()) &&
             std::filesystem::equivalent(folder, path, ignored)) {

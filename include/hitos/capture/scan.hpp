@@ -53,6 +53,7 @@ struct Scan {
     Fan fan;                        ///< count == 0: unknown (normalised logs)
     std::uint64_t line = 0;         ///< 1-based line of the log
     bool carries_odometry = false;  ///< the same line is an odometry reading too
+    bool begins_tour = false;       ///< of a second tour: nobody knows where the robot begins it
     double delay_s = 0.0;           ///< what was added to the logged stamp (source.scan_delay)
 
     /// As logged, by the laser's clock: what paths are stamped with.

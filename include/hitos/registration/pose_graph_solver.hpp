@@ -35,8 +35,9 @@ double greatest_move(std::span<const KeyPose> before, std::span<const KeyPose> a
 
 /// How a graph is solved.
 struct GraphSolution {
-    int iterations = 10;  ///< with a factorisation of their own
-    bool robust = true;   ///< whether edges far from the rest lose weight
+    int iterations = 10;   ///< with a factorisation of their own
+    bool robust = true;    ///< whether edges far from the rest lose weight
+    std::size_t held = 0;  ///< the first keys, that do not move at all
 };
 
 /// Moves keys to where the edges' errors, squared and weighted, are least: Gauss-Newton with a

@@ -39,6 +39,7 @@ struct PathCorrection {
     /// measured anew, so none may be the one it was.
     std::span<const KeyPose> keys;
     std::span<const PoseEdge> edges;
+    bool map_stays = false;  ///< of another tour, which is at its end: the path alone moves
 };
 
 }  // namespace hitos

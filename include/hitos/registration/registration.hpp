@@ -10,12 +10,20 @@
 #include <vector>
 
 #include "hitos/features/control.hpp"
+#include "hitos/registration/changed_place.hpp"
 #include "hitos/registration/graph_edit.hpp"
 #include "hitos/registration/loop_record.hpp"
 #include "hitos/registration/registered_step.hpp"
 #include "hitos/registration/registration_params.hpp"
 
 namespace hitos {
+
+/// Of two tours (Scan::begins_tour) the second one, in what the first has seen.
+struct SecondTour {
+    std::uint64_t begin = 0;             ///< its first scan
+    std::optional<std::uint64_t> found;  ///< the scan at which it was found
+    double way_m = 0.0;                  ///< driven until then
+};
 
 /// What a run may be trusted for, without any truth.
 struct RegistrationFigures {
@@ -32,6 +40,7 @@ struct RegistrationFigures {
     /// Of the changes by hand, by their places, those that have met nothing to change: refused
     /// loops that nobody has found, scans that have not come.
     std::vector<std::uint64_t> edits_unmet;
+    std::optional<SecondTour> second_tour = {};
 };
 
 /// Takes a tour scan by scan. Deterministic: nothing is drawn at random, one thread works.
@@ -74,6 +83,10 @@ class Registration {
     std::span<const KeyPose> keys() const;
     std::span<const PoseEdge> edges() const;
     RegistrationFigures figures() const;
+    /// Of two tours what is gone and what is new, larger than half a metre and more than 0.3 m off
+    /// what was there; nothing where the second was not found. It takes some seconds for thousands
+    /// of key scans.
+    std::vector<ChangedPlace> changes() const;
 
   private:
     class Impl;

@@ -11,7 +11,7 @@
 
 namespace hitos {
 
-/// --set, --edits, --world-set, --seed, --tour-seed and --threads.
+/// --set, --edits, --map, --localise, --world-set, --seed, --tour-seed and --threads.
 struct ValueChoices {
     std::vector<std::string> assignments;  ///< "key=value"
     std::optional<std::uint64_t> seed = {};
@@ -19,6 +19,9 @@ struct ValueChoices {
     std::optional<std::uint64_t> tour_seed = {};
     std::string edits = {};  ///< file of the graph's changes by hand; empty: none
     std::vector<std::string> world_assignments = {};  ///< "key=value", of a world's values
+    std::string map = {};   ///< folder of a run to go on with; empty: none
+    std::string near = {};  ///< "x,y,degrees" in it; empty: anywhere
+    bool localise = false;  ///< in that map, which stays as it is
 };
 
 /// The assignments over the configuration, in order, then the others; those of a world are put

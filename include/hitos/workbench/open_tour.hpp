@@ -18,10 +18,16 @@ namespace hitos {
 /// A world file (.toml) is simulated, with the values of source.world_set over its own; anything
 /// else is a log. The seed of a world's noise is source.tour_seed, else the world's own, else
 /// `run_seed`. Throws what open_source(), read_world() and set_world_value() throw, and ConfigError
-/// where a world is to be read in the format of a log.
+/// where a world is to be read in the format of a log. Where source.map names the results of a run,
+/// that run's tour, as it was read, comes before it (make_joined_tour()); FileError where they are
+/// none.
 std::unique_ptr<TourReader> open_tour(const SourceParams& source, std::uint64_t run_seed = 1);
 /// With the configuration's seed.
 std::unique_ptr<TourReader> open_tour(const Configuracion& configuration);
+
+/// What a run was run with, to go on with its map: without what is of its tour alone but the
+/// changes by hand, which its map is made of. Throws what open_tour() throws of source.map.
+Configuracion configuration_to_go_on(const std::string& map);
 
 /// The world of such a source as it is simulated: with the values of source.world_set and the seed.
 /// Throws what read_world() and set_world_value() throw.
@@ -30,6 +36,8 @@ World open_world(const SourceParams& source, std::uint64_t run_seed = 1);
 /// The files by whose content the tour of that source is known: the log, or the world and the
 /// drawing of its walls.
 std::vector<std::filesystem::path> tour_files(const std::string& file);
+/// The same with those of the tours before it.
+std::vector<std::filesystem::path> tour_files(const SourceParams& source);
 
 /// Puts the truth that the tour knows where the references name nothing else: its path, and its
 /// walls for pictures.

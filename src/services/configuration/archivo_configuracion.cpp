@@ -252,8 +252,8 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
     return std::filesystem::absolute(file).lexically_normal().parent_path();
 }
 
-/// The log as a configuration file names it: so that it is found wherever the program is started,
-/// and still is when a folder with both is moved.
+/// A log or a map as a configuration file names it: so that it is found wherever the program is
+/// started, and still is when a folder with both is moved.
 std::string named_in(const std::filesystem::path& file, const std::string& log) {
     if (log.empty()) return log;
     const std::filesystem::path whole = std::filesystem::absolute(log).lexically_normal();
@@ -266,10 +266,11 @@ std::string named_in(const std::filesystem::path& file, const std::string& log) 
 Configuracion ArchivoConfiguracion::read(const std::filesystem::path& path) {
     Configuracion configuration =
         parse(input::read_text(path, input::kLargestSettings), path.string());
-    std::string& log = configuration.source.file;
-    const std::filesystem::path beside = folder_of(path) / log;
-    std::error_code ignored;
-    if (!log.empty() && std::filesystem::exists(beside, ignored)) log = beside.string();
+    for (std::string* named : {&configuration.source.file, &configuration.source.map}) {
+        const std::filesystem::path beside = folder_of(path) / *named;
+        std::error_code ignored;
+        if (!named->empty() && std::filesystem::exists(beside, ignored)) *named = beside.string();
+    }
     return configuration;
 }
 
@@ -354,6 +355,7 @@ void ArchivoConfiguracion::write(const Configuracion& configuration,
                                  const std::filesystem::path& path) {
     Configuracion stored = configuration;
     stored.source.file = named_in(path, configuration.source.file);
+    stored.source.map = named_in(path, configuration.source.map);
     write_file(path, to_text(stored));
 }
 

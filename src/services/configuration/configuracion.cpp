@@ -8,6 +8,7 @@
 #include "hitos/base/text_input.hpp"
 #include "hitos/registration/graph_edit.hpp"
 #include "hitos/slam/filter_parameters.hpp"
+#include "hitos/slam/filters.hpp"
 #include "parameter_table.hpp"
 
 namespace hitos {
@@ -58,10 +59,35 @@ void set_parameter(Configuracion& configuration, std::string_view assignment) {
         .set(configuration, assignment.substr(sign + 1));
 }
 
+namespace {
+
+/// A second tour is found by registration alone.
+void check_map(const Configuracion& configuration) {
+    const FilterParams& filter = configuration.filter;
+    const bool map = !configuration.source.map.empty();
+    static_cast<void>(start_of(configuration.registration.start));  // throws
+    if (map && !(needs_registration(filter) && configuration.registration.loops)) {
+        throw ConfigError("source.map",
+                          HITOS_TEXT("Errors",
+                                     "only registration finds the robot in the map of another "
+                                     "tour; use preset recorded, or %1 and registration.loops=on"),
+                          "motion.model=registered");
+    }
+    if (map && configuration.registration.hold && filter.algorithm == "graph-slam") {
+        throw ConfigError("registration.hold",
+                          HITOS_TEXT("Errors",
+                                     "graph-slam moves every landmark of its graph; use another "
+                                     "filter.algorithm to hold a map"));
+    }
+}
+
+}  // namespace
+
 void check(const Configuracion& configuration) {
     check_all(parameters(), configuration);
     check(configuration.filter);
     static_cast<void>(parse_graph_edits(configuration.registration.edits));  // throws
+    check_map(configuration);
 
     const GridParams& grid = configuration.grid;
     if (grid.log_odds_hit == 0.0 && grid.log_odds_miss == 0.0) {

@@ -197,6 +197,12 @@ Table world_source_entries() {
                  "Seed of the noise of a world's laser and odometry, so that runs with other seeds "
                  "drive the same tour; 0 takes what the world says, else the run's seed.")},
             {of_world()}),
+        text<&Config::source, &SourceParams::map>(
+            {"source.map", HITOS_TEXT("ParameterLabel", "Map to go on with"),
+             HITOS_TEXT("Parameter",
+                        "Folder with the results of a run, whose tour comes before this one: the "
+                        "robot, which may begin anywhere in that map, is found in it, and the map "
+                        "goes on; empty begins a new one.")}),
         text<&Config::source, &SourceParams::world_set>(
             {"source.world_set", HITOS_TEXT("ParameterLabel", "World values"),
              HITOS_TEXT(

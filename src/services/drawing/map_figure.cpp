@@ -37,6 +37,7 @@ constexpr Colour kGrey{120, 120, 120};
 constexpr Colour kBlue{0, 114, 178};
 constexpr Colour kVermilion{213, 94, 0};
 constexpr Colour kGreen{0, 158, 115};
+constexpr Colour kPurple{204, 121, 167};
 constexpr Colour kPale{250, 205, 170};
 constexpr Colour kPaleEdge{230, 159, 100};
 
@@ -45,6 +46,8 @@ const ShapeStyle kPathStyle = line_style(kBlue, 0.25);
 const ShapeStyle kOdometryStyle = line_style(kGrey, 0.2, {1.0, 0.6});
 const ShapeStyle kRegionStyle{kPale, kPaleEdge, 0.06};
 const ShapeStyle kCornerStyle{.fill = kVermilion};
+const ShapeStyle kGoneStyle{.fill = kPurple};
+const ShapeStyle kNewStyle{.fill = kGreen};
 const ShapeStyle kStartStyle{kGreen, kWhite, 0.15};
 const ShapeStyle kEndStyle{kBlue, kWhite, 0.15};
 const ShapeStyle kAxisStyle = line_style(kBlack, 0.15);
@@ -243,6 +246,19 @@ class Layers {
     double weight_;
 };
 
+void add_changes(std::span<const ChangedPlace> changes, const View& view, Layers& layers) {
+    const double radius = 0.8 * kCornerRadius * weight_in(view);
+    for (const bool gone : {true, false}) {
+        DrawnLayer layer{gone ? "gone" : "new", gone ? kGoneStyle : kNewStyle};
+        for (const ChangedPlace& place : changes) {
+            if (place.gone != gone) continue;
+            for (const Point2& point : place.points)
+                layer.ellipses.push_back(disc(view.at(point), radius));
+        }
+        layers.add(std::move(layer), gone ? "gone" : "new", {}, {disc({}, radius)});
+    }
+}
+
 void add_map(const MapFigureContent& content, const MapShapes& shapes, const View& view,
              Layers& layers) {
     DrawnLayer regions{"uncertainty", kRegionStyle};
@@ -283,6 +299,7 @@ void add_map(const MapFigureContent& content, const MapShapes& shapes, const Vie
         corners.ellipses.push_back(disc(view.at(corner), radius));
     }
     if (style.landmarks) layers.add(std::move(corners), "corner landmarks", {}, {disc({}, radius)});
+    add_changes(content.changes, view, layers);
 
     if (line.empty() || !style.path) return;
     DrawnLayer start{"start", kStartStyle};

@@ -141,8 +141,10 @@ DrivenBy driven_by(const Registration& registration, const Trajectory& odometry)
     constexpr double kCarried = 2.0;  // [m] at a break that the odometry knows nothing of
     DrivenBy driven;
     const std::span<const KeyPose> keys = registration.keys();
-    const std::vector<std::uint64_t> breaks = registration.figures().breaks;
+    const RegistrationFigures figures = registration.figures();
+    const std::vector<std::uint64_t>& breaks = figures.breaks;
     for (std::size_t k = 1; k < keys.size(); ++k) {
+        if (figures.second_tour && keys[k].scan == figures.second_tour->begin) continue;
         const double path_m = distance(keys[k - 1].pose, keys[k].pose);
         const double odometry_m =
             distance(odometry[keys[k - 1].scan].pose, odometry[keys[k].scan].pose);
@@ -170,6 +172,14 @@ void warn_of_scale(const DrivenBy& driven, std::vector<Advice>& warnings) {
 void warn_of_registration(const Registration& registration, const Trajectory& odometry,
                           std::vector<Advice>& warnings) {
     const RegistrationFigures figures = registration.figures();
+    if (figures.second_tour && !figures.second_tour->found) {
+        warn(warnings,
+             HITOS_TEXT("Advice",
+                        "The tour that begins at scan %1 was not found in the map of the one "
+                        "before: it saw too little of what that one saw, or nothing there is like "
+                        "no other place. It lies beside that map."),
+             fmt::format("{}", figures.second_tour->begin + 1));
+    }
     const double unmatched = figures.scans > 0 ? static_cast<double>(figures.unmatched) /
                                                      static_cast<double>(figures.scans)
                                                : 0.0;

@@ -70,6 +70,13 @@ ordered_json json_of(const RunQuality& quality) {
         json["scans_unmatched"] = figures->unmatched;
         json["scans_breaking"] = ordered_json::array();
         for (const std::uint64_t scan : figures->breaks) json["scans_breaking"].push_back(scan + 1);
+        if (const auto& second = figures->second_tour) {
+            json["second_tour"] = {{"begin", second->begin + 1}};
+            if (second->found) {
+                json["second_tour"]["found"] = *second->found + 1;
+                json["second_tour"]["found_after_m"] = second->way_m;
+            }
+        }
         json["key_scans"] = figures->keys;
         json["loops_closed"] = std::ranges::count_if(quality.loops, &RunLoop::closed);
         json["loops"] = json_of(quality.loops, true);
@@ -102,6 +109,21 @@ void state(const RunFigures& figures, ordered_json& json) {
         const ordered_json::json_pointer place(measure->place);
         if (!json.contains(place)) json[place] = json_of(value, *measure);
     }
+}
+
+/// Until a second tour is found nobody knows where the robot is in the frame of the first.
+Trajectory known_while_driving(const Algoritmo& run) {
+    Trajectory path = run.online_trajectory();
+    const Registration* const registration = run.registration();
+    const auto second =
+        registration == nullptr ? std::nullopt : registration->figures().second_tour;
+    if (!second) return path;
+    const auto at = [&](std::uint64_t scan) {
+        return path.begin() +
+               static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(scan, path.size()));
+    };
+    path.erase(at(second->begin), second->found ? at(*second->found) : path.end());
+    return path;
 }
 
 /// Of a path of the run; there is a reference.
@@ -179,7 +201,7 @@ RunSummary summary_of(const Algoritmo& run, const LandmarkMap& map, const Trajec
     summary.distances = measure_distances(map, references.distances);
     if (references.trajectory) {
         judge_loops(summary.quality.loops, *references.trajectory, references.tolerance_s);
-        summary.online_error = error_of(run.online_trajectory(), references);
+        summary.online_error = error_of(known_while_driving(run), references);
         const double delay_s = run.scan().delay_s;
         if (delay_s != 0.0 && !run.reader().truth()) {
             summary.advice.push_back(

@@ -156,7 +156,12 @@ const Trajectory& odometry_path(const FinishedRun& finished) {
     return finished.run.odometry_trajectory();
 }
 
+/// A map that is held is that of its own tour alone.
 Grid built(const FinishedRun& finished, Trajectory path) {
+    const Registration* const registration = finished.run.registration();
+    const auto second =
+        registration == nullptr ? std::nullopt : registration->figures().second_tour;
+    if (second && finished.run.configuration().registration.hold) path.resize(second->begin);
     GridBuilder builder(finished.run.configuration().grid, finished.run.reader().reopen(),
                         std::move(path));
     while (builder.step()) end_where_asked(finished);
@@ -215,6 +220,26 @@ VectorDrawing figure(const FinishedRun& finished) {
                        finished.segments, finished.best, odometry_path(finished)});
 }
 
+/// Kind, box and size of each place; a picture of them over the map.
+void write_changes(const FinishedRun& finished, const Folder& folder) {
+    constexpr double kPixelsPerMm = 12.0;
+    const std::vector<ChangedPlace> changes = finished.run.registration()->changes();
+    std::string table = "change,low_x_m,low_y_m,high_x_m,high_y_m,points\n";
+    for (const ChangedPlace& place : changes) {
+        const Bounds box = place.bounds();
+        fmt::format_to(std::back_inserter(table), "{},{:.3f},{:.3f},{:.3f},{:.3f},{}\n",
+                       place.gone ? "gone" : "new", box.low.x, box.low.y, box.high.x, box.high.y,
+                       place.points.size());
+    }
+    write_file(folder / "changes.csv", table);
+    MapFigureStyle style;
+    style.odometry = style.uncertainty = style.path = false;
+    write_file(folder / "changes.png",
+               png_text(map_figure({"changes", finished.map, finished.segments, finished.best,
+                                    odometry_path(finished), changes, style}),
+                        kPixelsPerMm));
+}
+
 void write_map_server(const FinishedRun& finished, const Folder& folder) {
     const Grid grid = built(finished, finished.best);
     write_file(folder / "map.pgm", map_server_pgm(grid));
@@ -269,6 +294,12 @@ std::vector<RunOutput> make_outputs() {
         where(
             [](const Run& r) { return r.run.registration() != nullptr; },
             one_text("loops.csv", [](const Run& r) { return loops_csv(r.summary.quality.loops); })),
+        where(
+            [](const Run& r) {
+                return r.run.registration() != nullptr &&
+                       r.run.registration()->figures().second_tour.has_value();
+            },
+            output({"changes.csv", "changes.png"}, write_changes)),
         where([](const Run& r) { return r.references.trajectory.has_value(); },
               output({"paths.png", "paths.gp"}, write_paths)),
         rereading(where([](const Run& r) { return !r.references.walls.empty(); },

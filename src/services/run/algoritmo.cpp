@@ -97,12 +97,19 @@ bool Algoritmo::step(AssociationRecord* record) {
     state_.scan = std::move(*scan);
     if (examination_) examination_->note(state_.scan);
     state_.controls->controls_until(state_.scan, step_controls_);
-    extractor_->go_to(steps());  // wherever the run comes from
-    extractor_->extract(state_.scan, state_.observation);
+    if (state_.scan.begins_tour && steps() > 0) begin_second_tour();
+    if (state_.held) {
+        state_.observation = {};
+    } else {
+        extractor_->go_to(steps());  // wherever the run comes from
+        extractor_->extract(state_.scan, state_.observation);
+    }
     std::optional<RegisteredStep> registered;
     if (state_.registration) registered = state_.registration->add(state_.scan, step_controls_);
+    Scan unseen;  // of a map that is held nothing is missing either
+    unseen.time_s = state_.scan.time_s;
     try {
-        state_.filter->step({state_.scan, step_controls_, state_.observation,
+        state_.filter->step({state_.held ? unseen : state_.scan, step_controls_, state_.observation,
                              registered ? &*registered : nullptr, record});
     } catch (const std::bad_alloc& shortage) {
         throw Error(out_of_memory(shortage));
@@ -112,6 +119,13 @@ bool Algoritmo::step(AssociationRecord* record) {
     if (state_.registration) take_correction();
     state_.online.push_back({state_.scan.stamp_s(), state_.filter->best_pose()});
     return true;
+}
+
+/// What was before is a tour by itself, at its end: its map is that of its own run.
+void Algoritmo::begin_second_tour() {
+    step_controls_.clear();
+    finish();
+    state_.held = configuration_.registration.hold;
 }
 
 /// What can be done about it.
@@ -151,11 +165,11 @@ void Algoritmo::note_scan() {
 void Algoritmo::draw_scan(bool key) {
     step_grid_change_ = {};
     if (state_.registration && !key) return;
-    if (key) {
+    if (key && !state_.held) {
         state_.key_scans.push_back(std::make_shared<const Scan>(state_.scan));
         state_.key_poses.push_back(state_.filter->best_pose());
     }
-    if (step_grid_stale_) return;
+    if (step_grid_stale_ || state_.held) return;
     step_grid_.add(state_.scan, state_.filter->best_pose());
     step_grid_change_ = step_grid_.last_change();
 }
@@ -184,8 +198,8 @@ void Algoritmo::take_correction() {
     if (!options_.step_grid) return;
     const std::vector<Pose> path = state_.filter->best_history();
     state_.key_poses.clear();
-    for (const KeyPose& key : state_.registration->keys())
-        state_.key_poses.push_back(path[key.scan]);
+    const auto keys = state_.registration->keys().first(state_.key_scans.size());
+    for (const KeyPose& key : keys) state_.key_poses.push_back(path[key.scan]);
     step_grid_stale_ = true;
 }
 

@@ -21,11 +21,13 @@ void EkfSlam::correct(const PathCorrection& correction) {
     Matrix3 by_pose = Matrix3::Identity();
     by_pose.topLeftCorner<2, 2>() = SensorEsquina::moved_jacobian(last, {});
     std::vector<JointState::Turn> turns;
-    for_each_kind([&]<class S>() { move<S>(correction.by_scan, turns); });
+    if (!correction.map_stays)
+        for_each_kind([&]<class S>() { move<S>(correction.by_scan, turns); });
     std::ranges::sort(turns, {}, &JointState::Turn::at);
     state_.transform(by_pose, turns);
     state_.set_pose(compose(last, state_.pose()));
     normalize();
+    if (correction.map_stays) return;
 
     std::array<NewPlaces, LandmarkKinds::kSize> places;
     std::array<std::size_t, LandmarkKinds::kSize> sizes{};

@@ -121,6 +121,7 @@ void FiltroParticulas::correct(const PathCorrection& correction) {
         leaves.push_back(particle.history);
     }
     history_.move(leaves, correction.by_scan);
+    if (correction.map_stays) return;
     std::array<NewPlaces, LandmarkKinds::kSize> best_places;
     const std::size_t landmarks_each = maps_.size(best_) + 8;
     // Maps that resampling has just copied are corrected once, and copied again.

@@ -22,6 +22,7 @@ struct SourceParams {
     /// the run.
     std::uint64_t tour_seed = 0;
     std::string world_set = {};  ///< changes of a world's values: "laser.sigma=0.003 tour.laps=2"
+    std::string map = {};  ///< results of the run whose tour comes before this one; empty: none
     friend bool operator==(const SourceParams&, const SourceParams&) = default;
 };
 

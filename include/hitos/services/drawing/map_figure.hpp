@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "hitos/registration/changed_place.hpp"
 #include "hitos/services/drawing/vector_drawing.hpp"
 #include "hitos/services/files/line_extents.hpp"
 
@@ -28,6 +29,7 @@ struct MapFigureContent {
     std::span<const LineExtent> segments;  ///< of the map's lines
     const Trajectory& path;
     const Trajectory& odometry;
+    std::span<const ChangedPlace> changes = {};
     MapFigureStyle style = {};
 };
 
@@ -36,7 +38,8 @@ inline constexpr double kFigureSigmas = 2.0;
 
 /// A figure of at most 85 mm unless its style says otherwise, the width of a column, with letters
 /// of 7 points: segments, corners, the regions that hold kFigureSigmas of each (map_shapes()), the
-/// path with its two ends, the odometry as far as it is in the frame; axes in metres, a legend
+/// path with its two ends, the odometry as far as it is in the frame, what of two tours is gone and
+/// what is new; axes in metres, a legend
 /// below them and a scale bar. Throws Error for what map_shapes() does.
 VectorDrawing map_figure(const MapFigureContent& content);
 

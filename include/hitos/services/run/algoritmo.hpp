@@ -143,6 +143,7 @@ class Algoritmo {
     /// Takes the scan into every part of the run that keeps something of it.
     void note_scan();
     void draw_scan(bool key);
+    void begin_second_tour();
     /// The end of the source.
     void finish();
     /// Carries a correction by registration, if there is one, to the filter and the grid.

@@ -67,6 +67,7 @@ struct RunState {
     Scan scan;                ///< the last one
     Observation observation;  ///< its features
     OdometryPath odometry;
+    bool held = false;  ///< the map, as the second of two tours finds it
     bool finished = false;
 
     /// The filter's best pose at every scan so far.

@@ -1,0 +1,130 @@
+#include "hitos/capture/joined_tour.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace hitos {
+namespace {
+
+/// What both have left out and why, together.
+ReadReport together(const ReadReport& a, const ReadReport& b) {
+    ReadReport sum = a;
+    sum.scans += b.scans;
+    sum.odometry += b.odometry;
+    sum.duplicate_scans += b.duplicate_scans;
+    sum.stamps_backwards += b.stamps_backwards;
+    sum.early_scans += b.early_scans;
+    sum.early_scans_left_out += b.early_scans_left_out;
+    sum.skipped += b.skipped;
+    const std::size_t free =
+        ReadReport::kExamples - std::min(ReadReport::kExamples, a.examples.size());
+    sum.examples.insert(
+        sum.examples.end(), b.examples.begin(),
+        b.examples.begin() + static_cast<std::ptrdiff_t>(std::min(free, b.examples.size())));
+    sum.of_recording = a.of_recording && b.of_recording;
+    return sum;
+}
+
+class JoinedTour final : public TourReader {
+  public:
+    JoinedTour(std::unique_ptr<TourReader> first, std::unique_ptr<TourReader> second)
+        : first_(std::move(first)), second_(std::move(second)) {}
+
+    std::optional<Scan> next_scan() override {
+        if (!scans_of_second_) {
+            if (std::optional<Scan> scan = first_->next_scan()) return scan;
+        }
+        std::optional<Scan> scan = second_->next_scan();
+        if (!scan) return scan;
+        scan->begins_tour = !std::exchange(scans_of_second_, true);
+        put_behind(*scan);
+        return scan;
+    }
+    std::optional<Odometria> next_odometry() override {
+        if (!odometry_of_second_) {
+            if (std::optional<Odometria> reading = first_->next_odometry()) return reading;
+        }
+        std::optional<Odometria> reading = second_->next_odometry();
+        if (!reading) return reading;
+        odometry_of_second_ = true;
+        put_behind(*reading);
+        return reading;
+    }
+    void restart() override {
+        first_->restart();
+        second_->restart();
+        scans_of_second_ = odometry_of_second_ = false;
+    }
+    std::unique_ptr<TourReader> reopen() const override {
+        return std::make_unique<JoinedTour>(first_->reopen(), second_->reopen());
+    }
+    const ReadReport& report() const override {
+        return report_ = together(first_->report(), second_->report());
+    }
+    std::optional<double> progress() const override {
+        const TourReader& now = scans_of_second_ ? *second_ : *first_;
+        const std::optional<double> of_now = now.progress();
+        if (!of_now) return of_now;
+        return 0.5 * (*of_now + (scans_of_second_ ? 1.0 : 0.0));
+    }
+    std::string name() const override { return second_->name(); }
+    std::string format() const override { return second_->format(); }
+    ReadOptions options() const override { return second_->options(); }
+    std::vector<TourFinding> findings() const override {
+        std::vector<TourFinding> findings = first_->findings();
+        for (TourFinding& finding : second_->findings()) findings.push_back(std::move(finding));
+        return findings;
+    }
+
+  private:
+    /// What is added to the second tour's stamps and lines.
+    struct Behind {
+        double time_s = 0.0;
+        std::uint64_t lines = 0;
+    };
+
+    /// Known before either sequence gets there: the sequences do not wait for each other.
+    const Behind& behind() {
+        if (behind_) return *behind_;
+        Behind behind;
+        double end_s = -std::numeric_limits<double>::infinity();
+        const std::unique_ptr<TourReader> all = first_->reopen();
+        const auto note = [&](const auto& item) {
+            end_s = std::max(end_s, item.time_s);
+            behind.lines = std::max(behind.lines, item.line);
+        };
+        while (const std::optional<Scan> scan = all->next_scan()) note(*scan);
+        while (const std::optional<Odometria> reading = all->next_odometry()) note(*reading);
+        double begin_s = std::numeric_limits<double>::infinity();
+        const std::unique_ptr<TourReader> other = second_->reopen();
+        if (const std::optional<Scan> scan = other->next_scan()) begin_s = scan->time_s;
+        if (const std::optional<Odometria> reading = other->next_odometry())
+            begin_s = std::min(begin_s, reading->time_s);
+        if (begin_s <= end_s) behind.time_s = std::floor(end_s - begin_s) + 1.0;
+        return behind_.emplace(behind);
+    }
+    template <class Item>
+    void put_behind(Item& item) {
+        item.time_s += behind().time_s;
+        item.line += behind().lines;
+    }
+
+    std::unique_ptr<TourReader> first_;
+    std::unique_ptr<TourReader> second_;
+    std::optional<Behind> behind_;
+    bool scans_of_second_ = false;
+    bool odometry_of_second_ = false;
+    mutable ReadReport report_;
+};
+
+}  // namespace
+
+std::unique_ptr<TourReader> make_joined_tour(std::unique_ptr<TourReader> first,
+                                             std::unique_ptr<TourReader> second) {
+    return std::make_unique<JoinedTour>(std::move(first), std::move(second));
+}
+
+}  // namespace hitos
