@@ -351,9 +351,11 @@ std::string ArchivoConfiguracion::to_text(const Configuracion& configuration) {
 }
 
 void ArchivoConfiguracion::write(const Configuracion& configuration,
-                                 const std::filesystem::path& path) {
+                                 const std::filesystem::path& path,
+                                 const std::filesystem::path& folder) {
     Configuracion stored = configuration;
-    stored.source.file = named_in(path, configuration.source.file);
+    stored.source.file =
+        named_in(folder.empty() ? path : folder / path.filename(), configuration.source.file);
     write_file(path, to_text(stored));
 }
 
