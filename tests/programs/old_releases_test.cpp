@@ -87,6 +87,11 @@ TEST_F(OldReleases, RunsAreMeasuredAndCompared) {
         ASSERT_EQ(compared["runs"].size(), 2U);
         for (const json& run : compared["runs"]) EXPECT_TRUE(run["finished"]) << run;
         EXPECT_EQ(compared["runs"][0]["settings"]["filter.particles"], "10");
+        const json& filtered = compared["runs"][0]["figures"];
+        for (const char* name : {"lines", "corners", "map_error_m", "cells_per_point"}) {
+            EXPECT_GT(filtered[name], 0.0) << name;
+        }
+        EXPECT_EQ(compared["runs"][1]["figures"]["loops_closed"], 1.0);
         EXPECT_EQ(object("evaluate filtered")["scans"], summary("filtered")["scans"])
             << "the log beside it is read again";
         const json measured = object(
@@ -101,7 +106,11 @@ TEST_F(OldReleases, RunsAreMeasuredAndCompared) {
         EXPECT_EQ(run.path.size(), run.scans);
         EXPECT_EQ(run.map.size(), read_map(here("edited/map.txt")).size());
         EXPECT_FALSE(run.line_extents.empty());
-        EXPECT_EQ(std::ranges::count(run.loops, true, &RunLoop::closed), 1) << "by hand";
+        const auto closed = std::ranges::find_if(run.loops, &RunLoop::closed);
+        ASSERT_NE(closed, run.loops.end());
+        EXPECT_TRUE(closed->record.by_hand);
+        EXPECT_EQ(closed->record.pose_earlier_scan, (Pose{0.71, -0.04, 0.095}));
+        EXPECT_GT(closed->record.weight, 0.5);
     });
 }
 
