@@ -99,6 +99,11 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(kWhite) - first + 1);
 }
 
+std::string_view without_mark(std::string_view text) {
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+    return text;
+}
+
 std::vector<std::string_view> fields(std::string_view text) {
     std::vector<std::string_view> words;
     for (std::size_t at = text.find_first_not_of(kWhite); at != std::string_view::npos;) {

@@ -50,9 +50,7 @@ LineReader::Line LineReader::make_line(std::string_view raw) {
                 message(HITOS_TEXT("Errors", "the line is not text (it holds control characters)")),
                 false};
     }
-    if (number_ == 1 && raw.starts_with(input::kByteOrderMark)) {
-        raw.remove_prefix(input::kByteOrderMark.size());
-    }
+    if (number_ == 1) raw = input::without_mark(raw);
     return {input::trimmed(raw), number_, {}, false};
 }
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
-#include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
 
 namespace hitos {
@@ -20,13 +20,21 @@ constexpr double kMostScans = 1e15;
 constexpr double kFarthest = 1e6;         // [m]; no tour is longer
 constexpr std::size_t kMostEdits = 1000;  // each is compared with every other
 
-/// What changes count.
-enum class Counted : std::uint8_t { scans, vertices };
-
-ConfigError wrong(Counted what, std::size_t number, const Message& why) {
-    return {what == Counted::scans ? kGraphEditsKey : kEditsOption,
-            HITOS_TEXT("Errors", "change %1: %2"), number, why};
+Message of_change(std::size_t number, const Message& why) {
+    return message(HITOS_TEXT("Errors", "change %1: %2"), number, why);
 }
+
+/// Of what the changes are: of the scans of a tour, as a configuration names them, or of the poses
+/// of a graph, in the lines of a file.
+struct Origin {
+    const PlacedEdits* file = nullptr;  ///< none: of scans
+
+    bool of_scans() const { return file == nullptr; }
+    [[noreturn]] void fail(std::size_t number, const Message& why) const {
+        if (!of_scans()) throw wrong_edit(*file, number, why);
+        throw ConfigError(kGraphEditsKey, of_change(number, why));
+    }
+};
 
 /// "812@65.25"
 std::optional<EditedScan> scan_of(std::string_view word) {
@@ -47,37 +55,34 @@ std::optional<EditedScan> vertex_of(std::string_view word) {
     return id ? std::optional(EditedScan{*id}) : std::nullopt;
 }
 
-GraphEdit edit_of(std::string_view text, std::size_t number, Counted what) {
-    const auto refuse = [&] {
-        if (what == Counted::vertices) {
-            return wrong(what, number,
-                         message(HITOS_TEXT("Errors",
-                                            "found %1; expected \"refuse A B\", \"close A B X Y "
-                                            "THETA\", \"fix A X Y THETA\" or \"slip A\", A and B "
-                                            "ids of poses, X and Y in metres, THETA in rad from "
-                                            "-2 pi to 2 pi"),
-                                 input::in_quotes(text)));
-        }
-        return wrong(what, number,
-                     message(HITOS_TEXT("Errors",
+GraphEdit edit_of(std::string_view text, std::size_t number, const Origin& of) {
+    const auto expected = [&] {
+        return of.of_scans()
+                   ? message(HITOS_TEXT("Errors",
                                         "found %1; expected \"refuse SCAN EARLIER\", \"close SCAN "
                                         "EARLIER X Y THETA\", \"fix SCAN X Y THETA\" or \"slip "
                                         "SCAN\", scans counted from 1, as SCAN@STAMP where the "
                                         "stamp is to be held, X and Y in metres, THETA in rad "
                                         "from -2 pi to 2 pi"),
-                             input::in_quotes(text)));
+                             input::in_quotes(text))
+                   : message(HITOS_TEXT("Errors",
+                                        "found %1; expected \"refuse A B\", \"close A B X Y "
+                                        "THETA\", \"fix A X Y THETA\" or \"slip A\", A and B "
+                                        "ids of poses, X and Y in metres, THETA in rad from "
+                                        "-2 pi to 2 pi"),
+                             input::in_quotes(text));
     };
     const std::vector<std::string_view> words = input::fields(text);
     const auto kind = words.empty() ? std::nullopt : edit_kind_of(words.front());
-    if (!kind) throw refuse();
+    if (!kind) of.fail(number, expected());
     GraphEdit edit{*kind, {}};
     const std::size_t count = 2U + (edit.of_two() ? 1U : 0U) + (edit.has_pose() ? 3U : 0U);
-    if (words.size() != count) throw refuse();
+    if (words.size() != count) of.fail(number, expected());
     std::size_t next = 1;
     const auto take_scan = [&] {
         const std::string_view word = words[next++];
-        const auto scan = what == Counted::scans ? scan_of(word) : vertex_of(word);
-        if (!scan) throw refuse();
+        const auto scan = of.of_scans() ? scan_of(word) : vertex_of(word);
+        if (!scan) of.fail(number, expected());
         return *scan;
     };
     edit.scan = take_scan();
@@ -86,7 +91,7 @@ GraphEdit edit_of(std::string_view text, std::size_t number, Counted what) {
         for (double* value : {&edit.pose.x, &edit.pose.y, &edit.pose.theta}) {
             const auto read = input::parse_number(words[next++]);
             const double greatest = value == &edit.pose.theta ? 2.0 * kPi : kFarthest;
-            if (!read || !(std::abs(*read) <= greatest)) throw refuse();
+            if (!read || !(std::abs(*read) <= greatest)) of.fail(number, expected());
             *value = *read;
         }
     }
@@ -99,58 +104,52 @@ std::string text_of(const EditedScan& scan) {
 }
 
 /// Of two changes only one can be so.
-bool contradict(const GraphEdit& a, const GraphEdit& b, Counted what) {
+bool contradict(const GraphEdit& a, const GraphEdit& b, const Origin& of) {
     if (a.of_two() && b.of_two()) {
         return (a.scan.scan == b.scan.scan && a.earlier.scan == b.earlier.scan) ||
-               (what == Counted::vertices && a.scan.scan == b.earlier.scan &&
-                a.earlier.scan == b.scan.scan);
+               (!of.of_scans() && a.scan.scan == b.earlier.scan && a.earlier.scan == b.scan.scan);
     }
     return a.kind == b.kind && a.scan.scan == b.scan.scan;
 }
 
 /// Of scans, which have an order and begin where the map does.
-void check_order(const GraphEdit& edit, std::size_t number) {
+void check_order(const GraphEdit& edit, std::size_t number, const Origin& of) {
     if (edit.of_two() && edit.earlier.scan >= edit.scan.scan) {
-        throw wrong(Counted::scans, number,
-                    message(HITOS_TEXT("Errors",
-                                       "scan %1 is said to come back to scan %2; expected an "
-                                       "earlier one"),
-                            edit.scan.scan + 1, edit.earlier.scan + 1));
+        of.fail(number, message(HITOS_TEXT("Errors",
+                                           "scan %1 is said to come back to scan %2; expected an "
+                                           "earlier one"),
+                                edit.scan.scan + 1, edit.earlier.scan + 1));
     }
     if (!edit.of_two() && edit.scan.scan == 0) {
-        throw wrong(Counted::scans, number,
-                    marked(HITOS_TEXT("Errors",
-                                      "the first scan is where the map begins: it can "
-                                      "neither be fixed elsewhere nor slip")));
+        of.fail(number, marked(HITOS_TEXT("Errors",
+                                          "the first scan is where the map begins: it can "
+                                          "neither be fixed elsewhere nor slip")));
     }
 }
 
-void check(std::span<const GraphEdit> edits, Counted what) {
+void check(std::span<const GraphEdit> edits, const Origin& of) {
     for (std::size_t i = 0; i < edits.size(); ++i) {
         const GraphEdit& edit = edits[i];
-        if (what == Counted::scans) check_order(edit, i + 1);
+        if (of.of_scans()) check_order(edit, i + 1, of);
         if (edit.of_two() && edit.earlier.scan == edit.scan.scan) {
-            throw wrong(what, i + 1,
-                        message(HITOS_TEXT("Errors", "names pose %1 twice; expected two poses"),
-                                edit.scan.scan));
+            of.fail(i + 1, message(HITOS_TEXT("Errors", "names pose %1 twice; expected two poses"),
+                                   edit.scan.scan));
         }
         const std::span before = edits.first(i);
         const auto other = std::ranges::find_if(
-            before, [&](const GraphEdit& one) { return contradict(one, edit, what); });
+            before, [&](const GraphEdit& one) { return contradict(one, edit, of); });
         if (other == before.end()) continue;
         const std::ptrdiff_t number = other - before.begin() + 1;
-        throw wrong(
-            what, i + 1,
-            what == Counted::scans
-                ? message(HITOS_TEXT("Errors", "is of the same scans as change %1"), number)
-                : message(HITOS_TEXT("Errors", "is of the same poses as change %1"), number));
+        of.fail(i + 1,
+                of.of_scans()
+                    ? message(HITOS_TEXT("Errors", "is of the same scans as change %1"), number)
+                    : message(HITOS_TEXT("Errors", "is of the same poses as change %1"), number));
     }
 }
 
-std::vector<GraphEdit> parsed(std::string_view text, Counted what) {
-    const char* const key = what == Counted::scans ? kGraphEditsKey : kEditsOption;
-    std::vector<GraphEdit> edits;
-    while (const auto line = input::next_line(text)) {
+void read(std::string_view text, PlacedEdits& into, const Origin& of) {
+    std::vector<GraphEdit>& edits = into.edits;
+    for (std::uint64_t number = 1; const auto line = input::next_line(text); ++number) {
         const std::size_t sign = std::min(line->find('#'), line->size());
         std::string_view rest = line->substr(0, sign);
         const std::size_t before = edits.size();
@@ -159,17 +158,17 @@ std::vector<GraphEdit> parsed(std::string_view text, Counted what) {
             const std::string_view change = input::trimmed(rest.substr(0, end));
             rest.remove_prefix(std::min(end + 1, rest.size()));
             if (change.empty()) continue;
+            into.lines.push_back(number);
             if (edits.size() == kMostEdits) {
-                throw ConfigError(key, HITOS_TEXT("Errors", "found more than %1 changes"),
-                                  kMostEdits);
+                of.fail(kMostEdits + 1,
+                        message(HITOS_TEXT("Errors", "found more than %1 changes"), kMostEdits));
             }
-            edits.push_back(edit_of(change, edits.size() + 1, what));
+            edits.push_back(edit_of(change, edits.size() + 1, of));
         }
         if (edits.size() > before && sign < line->size())
             edits.back().comment = on_one_line(input::trimmed(line->substr(sign + 1)));
     }
-    check(edits, what);
-    return edits;
+    check(edits, of);
 }
 
 }  // namespace
@@ -185,11 +184,19 @@ std::optional<GraphEdit::Kind> edit_kind_of(std::string_view word) {
 }
 
 std::vector<GraphEdit> parse_graph_edits(std::string_view text) {
-    return parsed(text, Counted::scans);
+    PlacedEdits edits;
+    read(text, edits, {});
+    return std::move(edits.edits);
 }
 
-std::vector<GraphEdit> parse_vertex_edits(std::string_view text) {
-    return parsed(text, Counted::vertices);
+PlacedEdits parse_vertex_edits(std::string_view text, const std::string& name) {
+    PlacedEdits edits{name};
+    read(input::without_mark(text), edits, {&edits});
+    return edits;
+}
+
+FormatError wrong_edit(const PlacedEdits& edits, std::size_t number, const Message& why) {
+    return {edits.file, edits.lines.at(number - 1), of_change(number, why)};
 }
 
 std::string text_of(std::span<const GraphEdit> edits) {
@@ -207,7 +214,7 @@ std::string text_of(std::span<const GraphEdit> edits) {
 }
 
 void check_graph_edits(std::span<const GraphEdit> edits) {
-    check(edits, Counted::scans);
+    check(edits, {});
 }
 
 bool same_change(const GraphEdit& a, const GraphEdit& b) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -85,8 +86,13 @@ TEST_F(GraphCommand, TakesChangesByHand) {
     EXPECT_THAT(content(path("out/graph.g2o")), HasSubstr("EDGE_PRIOR_SE2 4 0 3 -1.57 10000"));
     refused(square() + " --edits " + file("none", "# nothing\n"), "has no change");
     refused(square() + " --edits " + file("other", "slip 7\n"),
-            "--edits: change 1: the graph has no pose with the id 7");
-    refused(square() + " --edits " + file("wrong", "move 7\n"), "found \"move 7\"; expected");
+            "/other:1: change 1: the graph has no pose with the id 7");
+    refused(square() + " --edits " + file("wrong", "slip 3; slip 2\n# no\nmove 7\n"),
+            "/wrong:3: change 3: found \"move 7\"; expected");
+    refused(square() + " --edits " + file("twice", "\nslip 3\nslip 3\n"),
+            "/twice:3: change 2: is of the same poses as change 1");
+    const std::string marked = file("marked", "\xef\xbb\xbfslip 3\r\n");
+    EXPECT_EQ(object(square() + " --edits " + marked).at("edits"), 1);
 }
 
 TEST_F(GraphCommand, RefusesWhatIsNoGraph) {
@@ -94,6 +100,15 @@ TEST_F(GraphCommand, RefusesWhatIsNoGraph) {
     refused(path("none.g2o"), "no such file");
     refused(log_, "no pose in the file");
     refused(file("no.g2o", "VERTEX_SE2 0 0 0 0\n") + " --out " + file("taken", ""), "taken");
+}
+
+TEST_F(GraphCommand, LeavesNoFolderThatItMadeForNothing) {
+    const std::string broken = file("broken.g2o", "VERTEX_SE2 1 0 0\n");
+    refused(broken + " --out " + path("new"), "broken.g2o:1");
+    EXPECT_FALSE(std::filesystem::exists(path("new")));
+    std::filesystem::create_directory(path("old"));
+    refused(broken + " --out " + path("old"), "broken.g2o:1");
+    EXPECT_TRUE(std::filesystem::exists(path("old"))) << "somebody else made it";
 }
 
 TEST_F(GraphCommand, ReadsTheGraphOfARun) {

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -10,8 +11,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -53,15 +56,31 @@ std::vector<fs::path> outputs_of(const GraphOptions& options) {
     return files;
 }
 
-/// Before the solving, which may take its time.
+/// Tried before the solving, which may take its time. One that was made for nothing goes.
+class GraphFolder {
+  public:
+    explicit GraphFolder(fs::path folder) : folder_(std::move(folder)) {
+        std::error_code unknown;
+        made_ = !fs::exists(folder_, unknown);
+        prepare_output_folder(folder_);
+    }
+    ~GraphFolder() {
+        if (made_) ::rmdir(folder_.c_str());  // not where there is anything in it
+    }
+    GraphFolder(const GraphFolder&) = delete;
+    GraphFolder& operator=(const GraphFolder&) = delete;
+
+  private:
+    fs::path folder_;
+    bool made_ = false;
+};
+
 void check_outputs(const GraphOptions& options, const std::vector<fs::path>& outputs) {
-    if (outputs.empty()) return;
     std::error_code unknown;
     if (fs::exists(fs::path(options.out) / "summary.json", unknown)) {
         throw FileError(options.out, verbatim("holds the results of a run, which would not be what "
                                               "they were; choose another folder"));
     }
-    prepare_output_folder(options.out);
     check_apart(outputs, std::vector<fs::path>{options.file, options.edits});
     for (const fs::path& output : outputs) {
         std::error_code ignored;
@@ -164,18 +183,22 @@ void solve_graph(GraphOptions options) {
     options.file = input_named(options.file, "graph");
     if (!options.edits.empty()) options.edits = input_named(options.edits, "--edits");
     const std::vector<fs::path> outputs = outputs_of(options);
-    check_outputs(options, outputs);
+    std::optional<GraphFolder> folder;
+    if (!outputs.empty()) {
+        folder.emplace(options.out);
+        check_outputs(options, outputs);
+    }
     G2oFile file = read_g2o(options.file);
     Report report(options.json);
     report.object()["file"] = options.file;
     if (!options.edits.empty()) {
-        const auto edits =
-            parse_vertex_edits(input::read_text(options.edits, input::kLargestSettings));
-        if (edits.empty()) {
+        const PlacedEdits edits = parse_vertex_edits(
+            input::read_text(options.edits, input::kLargestSettings), options.edits);
+        if (edits.edits.empty()) {
             throw FormatError(options.edits, 0, verbatim("has no change; expected at least one"));
         }
         edit(file.graph, edits);
-        report.count("edits", edits.size());
+        report.count("edits", edits.edits.size());
     }
     tell_graph(report, file);
     const auto begin = std::chrono::steady_clock::now();

@@ -28,6 +28,8 @@ std::string_view unquoted(std::string_view text);
 
 /// What some editors write before the first line.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+/// The text without it.
+std::string_view without_mark(std::string_view text);
 
 /// The words between white space.
 std::vector<std::string_view> fields(std::string_view text);

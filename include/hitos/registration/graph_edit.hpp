@@ -9,12 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "hitos/base/error.hpp"
 #include "hitos/base/geometry.hpp"
 
 namespace hitos {
 
 inline constexpr const char* kGraphEditsKey = "registration.edits";
-inline constexpr const char* kEditsOption = "--edits";
 
 /// A scan of the tour, from 0, and its stamp where it was noted: a change belongs to one tour.
 struct EditedScan {
@@ -59,11 +59,20 @@ std::optional<GraphEdit::Kind> edit_kind_of(std::string_view word);
 /// [s] where they are known, and its pose; # begins a comment, which the change before it on its
 /// line keeps. Throws ConfigError of kGraphEditsKey that says which one is wrong.
 std::vector<GraphEdit> parse_graph_edits(std::string_view text);
-/// The same of a graph from a file: in place of scans the ids of its poses, from 0 and in any
-/// order, without stamps. Throws ConfigError of kEditsOption.
-std::vector<GraphEdit> parse_vertex_edits(std::string_view text);
 /// Reads back as the same, to the last bit.
 std::string text_of(std::span<const GraphEdit> edits);
+
+/// Changes of a file, and where each stands in it.
+struct PlacedEdits {
+    std::string file;
+    std::vector<GraphEdit> edits = {};
+    std::vector<std::uint64_t> lines = {};  ///< from 1
+};
+/// As parse_graph_edits(), of a graph from a file: in place of scans the ids of its poses, from 0
+/// and in any order, without stamps. Throws FormatError of the file `name`.
+PlacedEdits parse_vertex_edits(std::string_view text, const std::string& name);
+/// The error that the change of that number, from 1, is wrong.
+FormatError wrong_edit(const PlacedEdits& edits, std::size_t number, const Message& why);
 
 /// Whether they do the same: but for stamps and comments they are equal.
 bool same_change(const GraphEdit& a, const GraphEdit& b);

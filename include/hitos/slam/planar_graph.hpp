@@ -88,8 +88,8 @@ PlanarSolution solve(PlanarGraph& graph, bool robust);
 
 /// Changes by hand (parse_vertex_edits()): refuse drops the edges between two poses, close adds one
 /// as sure as an eye is, fix adds a prior of a place that is known, slip takes the edges to a pose
-/// from the one with the next lower id for a metre and a radian. Throws ConfigError of kEditsOption
-/// for a change that meets nothing.
-void edit(PlanarGraph& graph, std::span<const GraphEdit> edits);
+/// from the one with the next lower id for a metre and a radian. Throws wrong_edit() for a
+/// change that meets nothing.
+void edit(PlanarGraph& graph, const PlacedEdits& edits);
 
 }  // namespace hitos

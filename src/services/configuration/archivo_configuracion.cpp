@@ -352,10 +352,12 @@ std::string ArchivoConfiguracion::to_text(const Configuracion& configuration) {
 }
 
 void ArchivoConfiguracion::write(const Configuracion& configuration,
-                                 const std::filesystem::path& path) {
+                                 const std::filesystem::path& path,
+                                 const std::filesystem::path& folder) {
     Configuracion stored = configuration;
-    stored.source.file = named_in(path, configuration.source.file);
-    stored.source.map = named_in(path, configuration.source.map);
+    const std::filesystem::path kept = folder.empty() ? path : folder / path.filename();
+    stored.source.file = named_in(kept, configuration.source.file);
+    stored.source.map = named_in(kept, configuration.source.map);
     write_file(path, to_text(stored));
 }
 

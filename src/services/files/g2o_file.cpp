@@ -68,9 +68,7 @@ class G2oReader {
     explicit G2oReader(const std::string& name) : name_(name) {}
 
     G2oFile read(std::string_view text) {
-        if (text.starts_with(input::kByteOrderMark)) {
-            text.remove_prefix(input::kByteOrderMark.size());
-        }
+        text = input::without_mark(text);
         while (const auto line = input::next_line(text)) {
             ++line_;
             const auto words = input::fields(line->substr(0, line->find('#')));

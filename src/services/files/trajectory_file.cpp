@@ -161,7 +161,7 @@ Trajectory read_trajectory(const std::filesystem::path& path) {
 }
 
 Trajectory parse_trajectory(std::string_view text, const std::string& name) {
-    if (text.starts_with(input::kByteOrderMark)) text.remove_prefix(input::kByteOrderMark.size());
+    text = input::without_mark(text);
     Trajectory trajectory;
     Columns columns;
     Turns turns;

@@ -371,7 +371,7 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
     RunSummary summary;
     FinishedRun finished{
         run,   references, summary, run.best_trajectory(), run.filter().best_map(), {},
-        ahead, also,       stop};
+        ahead, also,       stop,    folder.target()};
     summary = summary_of(run, finished.map, finished.best, references, stop);
     finished.segments = run.line_extents().of(finished.map, finished.best);
     try {

@@ -19,9 +19,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* kConfigFile = "config.cfg";
+
 /// What the summary says of the run's settings is what stands in config.cfg.
 void expect_settings(const fs::path& folder) {
-    const fs::path file = folder / "config.cfg";
+    const fs::path file = folder / kConfigFile;
     if (!is_file(file)) return;  // which is told as missing
     const Configuracion settings = ArchivoConfiguracion::read(file);
     with_summary(folder, [&](const nlohmann::json& json) {
@@ -61,10 +63,10 @@ ResultsCheck check_results(const fs::path& folder) {
     if (files.empty()) {
         throw FormatError(summary.string(), 0,
                           HITOS_TEXT("Errors",
-                                     "does not name the files of the run, as summaries of Hitos "
-                                     "0.1.0 did not; run it again to have them checked"));
+                                     "does not name the files of the run, as summaries before "
+                                     "the first release did not; run it again to have them "
+                                     "checked"));
     }
-    expect_settings(folder);
     check.files = files.size();
     for (const WrittenFile& file : files) {
         if (!is_file(folder / file.name)) {
@@ -73,6 +75,7 @@ ResultsCheck check_results(const fs::path& folder) {
             check.changed.push_back(file.name);
         }
     }
+    if (!std::ranges::count(check.changed, kConfigFile)) expect_settings(folder);
     for (const fs::directory_entry& entry : folder_entries(folder)) {
         const std::string name = entry.path().filename().string();
         if (is_run_output(name) && !std::ranges::count(files, name, &WrittenFile::name)) {

@@ -192,15 +192,17 @@ Trajectory particle_path(const FinishedRun& finished) {
 }
 
 Message write_paths(const FinishedRun& finished, const Folder& folder) {
-    const auto& [run, references, summary, best, map, segments, ahead, also, stop] = finished;
+    const References& references = finished.references;
     // True walls hold the true path to the frame of the tour's start.
     std::optional<Pose> pose_reference_run;
-    if (references.walls.empty() && summary.trajectory_error) {
-        pose_reference_run = summary.trajectory_error->pose_reference_estimate;
+    if (const auto& error = finished.summary.trajectory_error; references.walls.empty() && error) {
+        pose_reference_run = error->pose_reference_estimate;
     }
-    return write_paths_picture({in_frame_of_run(*references.trajectory, best, pose_reference_run),
-                                run.odometry_trajectory(), best, map, segments, references.walls},
-                               folder);
+    return write_paths_picture(
+        {in_frame_of_run(*references.trajectory, finished.best, pose_reference_run),
+         finished.run.odometry_trajectory(), finished.best, finished.map, finished.segments,
+         references.walls},
+        folder);
 }
 
 Message write_odometry_scans(const FinishedRun& finished, const Folder& folder) {
@@ -273,7 +275,7 @@ std::vector<RunOutput> make_outputs() {
                       Configuracion configuration = r.run.configuration();
                       // A log's name may be of any bytes, the text of a configuration may not.
                       configuration.source.file = in_utf8(configuration.source.file);
-                      ArchivoConfiguracion::write(configuration, file);
+                      ArchivoConfiguracion::write(configuration, file, r.folder);
                   }),
         grid(
             "grid_best_steps", [](const Run& r) -> const Grid& { return r.run.step_grid(); },

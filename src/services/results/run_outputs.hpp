@@ -23,6 +23,7 @@ struct FinishedRun {
     OdometryGridAhead* odometry_grid = nullptr;
     std::span<const std::string> also = {};  ///< words of outputs that are asked for
     std::function<bool()> stop = {};         ///< whether to end soon; null: never
+    std::filesystem::path folder = {};       ///< in which the files are in the end
 
     bool stopped() const { return stop && stop(); }
 };

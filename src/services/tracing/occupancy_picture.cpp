@@ -52,9 +52,7 @@ class MapServerFile {
   public:
     explicit MapServerFile(const std::filesystem::path& path) : path_(path) {
         const std::string text = input::read_text(path, input::kLargestSettings);
-        std::string_view rest = text;
-        if (rest.starts_with(input::kByteOrderMark))
-            rest.remove_prefix(input::kByteOrderMark.size());
+        std::string_view rest = input::without_mark(text);
         std::uint64_t number = 0;
         Entry* last = nullptr;
         while (const auto line = input::next_line(rest)) {

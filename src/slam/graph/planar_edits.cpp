@@ -13,15 +13,17 @@ using EditKind = GraphEdit::Kind;
 
 class PlanarEditor {
   public:
-    explicit PlanarEditor(PlanarGraph& graph) : graph_(graph) {
+    PlanarEditor(PlanarGraph& graph, const PlacedEdits& edits) : graph_(graph), edits_(edits) {
         for (std::uint32_t i = 0; i < graph.vertices.size(); ++i) {
             if (graph.vertices[i].kind == PlanarVertex::Kind::pose) poses_.push_back(i);
         }
         std::ranges::sort(poses_, {}, [&](std::uint32_t i) { return id(i); });
     }
 
-    void make(const GraphEdit& edit, std::size_t number) {
+    /// The change of that number, from 1.
+    void make(std::size_t number) {
         number_ = number;
+        const GraphEdit& edit = edits_.edits[number - 1];
         const std::uint32_t pose = pose_of(edit.scan.scan);
         switch (edit.kind) {
             case EditKind::refuse:
@@ -44,9 +46,7 @@ class PlanarEditor {
     }
 
   private:
-    [[noreturn]] void fail(const Message& why) const {
-        throw ConfigError(kEditsOption, HITOS_TEXT("Errors", "change %1: %2"), number_, why);
-    }
+    [[noreturn]] void fail(const Message& why) const { throw wrong_edit(edits_, number_, why); }
 
     std::uint64_t id(std::uint32_t vertex) const { return graph_.vertices[vertex].id; }
 
@@ -107,15 +107,16 @@ class PlanarEditor {
     }
 
     PlanarGraph& graph_;
+    const PlacedEdits& edits_;
     std::vector<std::uint32_t> poses_;  // by their ids
     std::size_t number_ = 0;
 };
 
 }  // namespace
 
-void edit(PlanarGraph& graph, std::span<const GraphEdit> edits) {
-    PlanarEditor editor(graph);
-    for (std::size_t i = 0; i < edits.size(); ++i) editor.make(edits[i], i + 1);
+void edit(PlanarGraph& graph, const PlacedEdits& edits) {
+    PlanarEditor editor(graph, edits);
+    for (std::size_t number = 1; number <= edits.edits.size(); ++number) editor.make(number);
 }
 
 }  // namespace hitos

@@ -344,7 +344,7 @@ PlanarGraph row() {
 
 PlanarGraph edited(std::string_view changes) {
     PlanarGraph graph = row();
-    edit(graph, parse_vertex_edits(changes));
+    edit(graph, parse_vertex_edits(changes, "edits"));
     return graph;
 }
 
@@ -371,10 +371,10 @@ TEST(PlanarGraph, IsEditedByHand) {
 
 TEST(PlanarGraph, RefusesEditsThatMeetNothing) {
     const auto refusal = [](std::string_view changes) {
-        return message_of<ConfigError>([&] { edited(changes); });
+        return message_of<FormatError>([&] { edited(changes); });
     };
     EXPECT_THAT(refusal("slip 20; refuse 30 10"),
-                HasSubstr("--edits: change 2: the graph has no edge between the poses 30 and 10"));
+                HasSubstr("edits:1: change 2: the graph has no edge between the poses 30 and 10"));
     EXPECT_THAT(refusal("refuse 10 20; slip 20"), HasSubstr("no edge between the poses 10 and 20"));
     EXPECT_THAT(refusal("slip 15"), HasSubstr("the graph has no pose with the id 15"));
     EXPECT_THAT(refusal("close 10 18446744073709551615 0 0 0"),

@@ -1567,8 +1567,8 @@
         <translation>nombra el archivo %1; se esperaba un nombre sin carpetas</translation>
     </message>
     <message>
-        <source>does not name the files of the run, as summaries of Hitos 0.1.0 did not; run it again to have them checked</source>
-        <translation>no nombra los archivos de la ejecución, como los resúmenes de Hitos 0.1.0; repita la ejecución para que se puedan comprobar</translation>
+        <source>does not name the files of the run, as summaries before the first release did not; run it again to have them checked</source>
+        <translation>no nombra los archivos de la ejecución, como los resúmenes anteriores a la primera versión publicada; repita la ejecución para que se puedan comprobar</translation>
     </message>
     <message>
         <source>is the plan of another study, on which others are at work: program, configuration, log, values or seeds differ; wait for them or choose another folder</source>

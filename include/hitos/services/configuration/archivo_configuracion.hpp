@@ -32,7 +32,9 @@ class ArchivoConfiguracion {
 
     /// Writes to_text() atomically: a failed write leaves the file that was there. The log is named
     /// relative to the file where it lies beside or below it, else by its whole path.
-    static void write(const Configuracion& configuration, const std::filesystem::path& path);
+    /// `folder`: where somebody will put the file; empty: it stays where it is written.
+    static void write(const Configuracion& configuration, const std::filesystem::path& path,
+                      const std::filesystem::path& folder = {});
 };
 
 }  // namespace hitos

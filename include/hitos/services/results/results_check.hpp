@@ -22,7 +22,7 @@ struct ResultsCheck {
 
 /// Compares the folder that write_results() wrote with its summary, by size and content. Throws
 /// FileError where it has no summary, FormatError where the summary is none or names no files, as
-/// those of Hitos 0.1.0 did.
+/// those before the first release did.
 ResultsCheck check_results(const std::filesystem::path& folder);
 
 }  // namespace hitos

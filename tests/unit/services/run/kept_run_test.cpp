@@ -143,11 +143,12 @@ TEST_F(KeptRunTest, AFolderIsCheckedFileByFile) {
     EXPECT_GE(whole.files, 14U);
     fs::remove(out_.path() / "map.dxf");
     write_file(out_.path() / "odometry.tum", "0 0 0 0 0 0 0 1\n");
+    write_file(out_.path() / "config.cfg", "[run]\nseed = ");
     write_file(out_.path() / "grid_particle_7.jpg", "of another run");
     write_file(out_.path() / "notes.txt", "mine");
     const ResultsCheck check = check_results(out_.path());
     EXPECT_THAT(check.missing, ElementsAre("map.dxf"));
-    EXPECT_THAT(check.changed, ElementsAre("odometry.tum"));
+    EXPECT_THAT(check.changed, testing::UnorderedElementsAre("odometry.tum", "config.cfg"));
     EXPECT_THAT(check.left_over, ElementsAre("grid_particle_7.jpg"));
 }
 
