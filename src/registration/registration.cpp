@@ -280,9 +280,9 @@ void Registration::Impl::correct(const std::vector<KeyPose>& keys_before) {
     map_stale_ = true;
 }
 
-void Registration::Impl::finish() {
+void Registration::Impl::finish(bool another_follows) {
     corrections_.clear();
-    editor_.check_end(placed_.size());
+    if (!another_follows) editor_.check_end(placed_.size());
     if (graph_.size() < 2) return;
     const std::vector<KeyPose> before = graph_.poses;
     solve(graph_.poses, graph_.edges, solution(10, true));
@@ -377,8 +377,8 @@ RegisteredStep Registration::add(const Scan& scan, std::span<const Control> cont
 std::optional<PathCorrection> Registration::correction() const {
     return impl_->correction();
 }
-void Registration::finish() {
-    impl_->finish();
+void Registration::finish(bool another_follows) {
+    impl_->finish(another_follows);
 }
 void Registration::set_edits(const std::string& edits) {
     impl_->set_edits(edits);

@@ -29,7 +29,7 @@ class Registration::Impl {
           editor_(parse_graph_edits(params.edits)) {}
 
     RegisteredStep add(const Scan& scan, std::span<const Control> controls);
-    void finish();
+    void finish(bool another_follows);
     void set_edits(const std::string& edits) {
         editor_.replace(parse_graph_edits(edits));
         params_.edits = edits;

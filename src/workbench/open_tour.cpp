@@ -31,17 +31,36 @@ namespace {
 /// Of a chain of maps, each of which goes on with another one.
 constexpr int kMostMaps = 20;
 
-/// What the run whose results are a tour's map was run with.
-Configuracion configuration_of_map(const std::string& folder) {
-    const std::filesystem::path file = std::filesystem::path(folder) / "config.cfg";
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored)) {
-        throw FileError(folder,
-                        HITOS_TEXT("Errors",
-                                   "holds no results of a run (no config.cfg); expected the folder "
-                                   "that a run of the first tour has written"));
+ConfigError endless(const std::string& folder) {
+    return {"source.map",
+            message(HITOS_TEXT("Errors",
+                               "%1 is the end of a chain of more than %2 maps, or of a circle of "
+                               "them"),
+                    folder, kMostMaps)};
+}
+
+struct Map {
+    std::string folder;
+    Configuracion configuration;  // of the run that made it
+};
+
+/// The map that a folder of results holds. Of a run that has held another one it is that one.
+Map map_in(std::string folder) {
+    for (int maps = 0; maps < kMostMaps; ++maps) {
+        const std::filesystem::path file = std::filesystem::path(folder) / "config.cfg";
+        std::error_code ignored;
+        if (!std::filesystem::exists(file, ignored)) {
+            throw FileError(folder, HITOS_TEXT("Errors",
+                                               "holds no results of a run (no config.cfg); "
+                                               "expected the folder that a run of the first tour "
+                                               "has written"));
+        }
+        Map map{folder, ArchivoConfiguracion::read(file)};
+        if (map.configuration.source.map.empty() || !map.configuration.registration.hold)
+            return map;
+        folder = map.configuration.source.map;
     }
-    return ArchivoConfiguracion::read(file);
+    throw endless(folder);
 }
 
 std::unique_ptr<TourReader> open_one(const SourceParams& source, std::uint64_t run_seed) {
@@ -62,13 +81,8 @@ std::unique_ptr<TourReader> open_one(const SourceParams& source, std::uint64_t r
 std::unique_ptr<TourReader> open_behind(const SourceParams& source, std::uint64_t run_seed,
                                         int maps) {
     if (source.map.empty()) return open_one(source, run_seed);
-    if (maps == kMostMaps) {
-        throw ConfigError(
-            "source.map",
-            HITOS_TEXT("Errors", "%1 is the end of a chain of %2 maps, or of a circle of them"),
-            source.map, kMostMaps);
-    }
-    const Configuracion before = configuration_of_map(source.map);
+    if (maps == kMostMaps) throw endless(source.map);
+    const Configuracion before = map_in(source.map).configuration;
     return make_joined_tour(open_behind(before.source, before.run.seed, maps + 1),
                             open_one(source, run_seed));
 }
@@ -76,7 +90,7 @@ std::unique_ptr<TourReader> open_behind(const SourceParams& source, std::uint64_
 }  // namespace
 
 Configuracion configuration_to_go_on(const std::string& map) {
-    Configuracion configuration = configuration_of_map(map);
+    Configuracion configuration = map_in(map).configuration;
     const ReadOptions read = for_another_recording(configuration.source.read);
     configuration.source = {};
     configuration.source.read = read;
@@ -109,11 +123,11 @@ std::vector<std::filesystem::path> tour_files(const SourceParams& source) {
     std::vector<std::filesystem::path> files = tour_files(source.file);
     std::string folder = source.map;
     for (int maps = 0; !folder.empty() && maps < kMostMaps; ++maps) {
-        const SourceParams before = configuration_of_map(folder).source;
-        files.push_back(std::filesystem::path(folder) / "config.cfg");
-        for (std::filesystem::path& file : tour_files(before.file))
+        const auto [made, before] = map_in(folder);
+        files.push_back(std::filesystem::path(made) / "config.cfg");
+        for (std::filesystem::path& file : tour_files(before.source.file))
             files.push_back(std::move(file));
-        folder = before.map;
+        folder = before.source.map;
     }
     return files;
 }

@@ -65,8 +65,7 @@ class Run::Reading {
     bool holds_ = false;
 };
 
-Run::Run(const TourArgument& tour, Configuracion configuration, References references,
-         bool uncertainty)
+Run::Run(Configuracion configuration, References references, bool uncertainty)
     : configuration_(std::move(configuration)),
       references_(std::move(references)),
       inputs_(without_python([&] { return InputFiles(tour_files(configuration_.source)); })) {

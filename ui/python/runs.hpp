@@ -27,8 +27,7 @@ class Result;
 /// other. All functions want the interpreter's lock and let go of it while the run computes.
 class Run : public std::enable_shared_from_this<Run> {
   public:
-    Run(const TourArgument& tour, Configuracion configuration, References references,
-        bool uncertainty);
+    Run(Configuracion configuration, References references, bool uncertainty);
 
     /// So many scans further, or to the end. `told` is called now and then with the progress;
     /// False stops the run. What Ctrl+C, `told` or the run itself raise is thrown when the run

@@ -325,7 +325,8 @@ TourArgument tour_argument(const py::object& tour) {
 Configuracion configuration_for(const TourArgument& tour, const py::object& given) {
     Configuracion configuration = configuration_from(given, tour.source.file);
     if (tour.opened) {
-        configuration.source = tour.source;
+        const std::string map = std::exchange(configuration.source, tour.source).map;
+        configuration.source.map = map;
     } else {
         configuration.source.file = tour.source.file;
     }

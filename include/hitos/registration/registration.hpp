@@ -63,9 +63,9 @@ class Registration {
     /// What the last add() or finish() corrected, if anything. For a scan that closes a loop: after
     /// the step of that scan.
     std::optional<PathCorrection> correction() const;
-    /// The end of the tour: smooths the whole path. Further scans may follow. Throws ConfigError
-    /// where a change by hand names a scan that has not come.
-    void finish();
+    /// The end of the tour: smooths the whole path. Further scans may follow, and do where another
+    /// tour does: else it throws ConfigError where a change by hand names a scan that has not come.
+    void finish(bool another_follows = false);
 
     /// From now on these are the changes by hand. Throws ConfigError where they are none, and is
     /// then what it was.

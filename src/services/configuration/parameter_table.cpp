@@ -239,6 +239,11 @@ void join_layers(Table& table) {
     for (const char* key : {"observation.var_rho", "observation.var_theta"}) {
         at(table, key).conditions.push_back(where(at(table, "observation.covariance"), {"fixed"}));
     }
+    for (const char* key : {"registration.hold", "registration.start"}) {
+        at(table, key)
+            .conditions.push_back({"source.map", "the results of a run",
+                                   [](const Config& c) { return !c.source.map.empty(); }});
+    }
     for (ConfigParameter& parameter : table) {
         if (parameter.table() != "registration") continue;
         parameter.conditions.insert(

@@ -91,7 +91,7 @@ bool Algoritmo::step(AssociationRecord* record) {
         while (const std::optional<Odometria> reading = reader_->next_odometry()) {
             if (examination_) examination_->note(*reading);
         }
-        finish();
+        finish(false);
         return false;
     }
     state_.scan = std::move(*scan);
@@ -124,7 +124,7 @@ bool Algoritmo::step(AssociationRecord* record) {
 /// What was before is a tour by itself, at its end: its map is that of its own run.
 void Algoritmo::begin_second_tour() {
     step_controls_.clear();
-    finish();
+    finish(true);
     state_.held = configuration_.registration.hold;
 }
 
@@ -185,9 +185,9 @@ const Grid& Algoritmo::step_grid() const {
     return step_grid_;
 }
 
-void Algoritmo::finish() {
+void Algoritmo::finish(bool another_follows) {
     if (!state_.registration) return;
-    state_.registration->finish();
+    state_.registration->finish(another_follows);
     take_correction();
 }
 

@@ -144,8 +144,8 @@ class Algoritmo {
     void note_scan();
     void draw_scan(bool key);
     void begin_second_tour();
-    /// The end of the source.
-    void finish();
+    /// The end of a tour.
+    void finish(bool another_follows);
     /// Carries a correction by registration, if there is one, to the filter and the grid.
     void take_correction();
 

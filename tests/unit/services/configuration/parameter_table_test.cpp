@@ -44,7 +44,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 107U);
+    EXPECT_EQ(keys.size(), 110U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
@@ -126,6 +126,8 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
                  "landmarks.miss",
                  "landmarks.limit",
                  "landmarks.probation_scans",
+                 "registration.hold",
+                 "registration.start",
                  "resampling.neff_threshold",
                  "source.tour_seed",
                  "source.world_set"};
@@ -137,6 +139,9 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
     EXPECT_EQ(idle_with({"motion.model=increments"}), with(idle, sigmas, ratios));
     EXPECT_EQ(idle_with({"motion.model=registered"}),
               with(with(idle, sigmas, registered), {}, registration));
+    EXPECT_EQ(idle_with({"motion.model=registered", "source.map=a run"}),
+              with(with(idle, sigmas, registered), {},
+                   with(registration, {"registration.hold", "registration.start"}, {})));
     EXPECT_EQ(
         idle_with({"motion.model=registered", "registration.loops=off"}),
         with(with(idle, sigmas, registered), {},
@@ -254,6 +259,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.source.read.mend = Mend::rays;
     c.source.tour_seed = 43;
     c.source.world_set = "laser.sigma=0.003";
+    c.source.map = "a run";
     c.run = {42, 3};
     c.filter.algorithm = "ekf-slam";
     c.filter.particles = 77;
@@ -284,8 +290,8 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.extraction.corner_distance_m = 0.59;
     c.extraction.corner_angle_rad = 0.5;
     c.extraction.corner_lines = CornerLines::fitted;
-    c.registration = {1.81,  82,    0.83,  0.84, 0.85, 0.86, false,
-                      false, false, false, 0.87, 8,    89,   "slip 5; refuse 9 2"};
+    c.registration = {1.81,  82,    0.83, 0.84, 0.85, 0.86, false,    false,
+                      false, false, 0.87, 8,    89,   true, "1,2,30", "slip 5; refuse 9 2"};
     c.grid = {0.61, 0.62, -0.63, 6.4, 6.5, PathMarks::cross_and_ring};
     const std::map<std::string_view, std::string> expected = {
         {"source.file", "a.log"},
@@ -310,6 +316,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"source.mend", "rays"},
         {"source.tour_seed", "43"},
         {"source.world_set", "laser.sigma=0.003"},
+        {"source.map", "a run"},
         {"run.seed", "42"},
         {"run.threads", "3"},
         {"filter.algorithm", "ekf-slam"},
@@ -344,6 +351,8 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"registration.loop_score", "0.87"},
         {"registration.loops_agree", "8"},
         {"registration.final_passes", "89"},
+        {"registration.hold", "on"},
+        {"registration.start", "1,2,30"},
         {"registration.edits", "slip 5; refuse 9 2"},
         {"motion.model", "proportional"},
         {"motion.unit", "variance"},

@@ -1,0 +1,136 @@
+// hitos-cli: a tour that goes on with the map of an earlier run, or is localised in it.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "program.hpp"
+
+namespace hitos {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A lap round the angular hall, and a second tour of a part of it with a box in the way.
+class SecondTourTest : public test::ProgramTest {
+  protected:
+    void SetUp() override {
+        test::ProgramTest::SetUp();
+        const std::string building = test::content(test::kSource + "/data/worlds/complex.toml");
+        const std::string walls = building.substr(0, building.find("[tour]"));
+        const auto write = [&](const char* name, const std::string& box, const char* tour) {
+            std::string text = walls;
+            text.insert(text.find("    [["), box);
+            file(name, text + tour);
+        };
+        write("first.toml", "", R"([tour]
+start = [0, 0, 0]
+way_points = [[0.5, 7.5], [20.5, 7.5], [20.5, 17.5], [37.5, 17.5], [37.5, 0.5], [0.5, 0.5]]
+[laser]
+max_range = 30
+rate = 2
+)");
+        write("second.toml", "    [[10, -1], [10, -0.4], [12, -0.4], [12, -1]],\n", R"([tour]
+start = [37.5, 12, 90]
+way_points = [[37.5, 0.5], [0.5, 0.5], [0.5, 7.5]]
+[laser]
+max_range = 30
+rate = 2
+)");
+        const test::Outcome first = run("first.toml", "first", "--preset recorded" + kFew);
+        ASSERT_EQ(first.status, 0) << first.output;
+    }
+    test::Outcome run(const std::string& log, const std::string& folder,
+                      const std::string& options) const {
+        return test::shell(cli_ + " run " + path(log) + " --replace --out " + path(folder) + " " +
+                           options);
+    }
+    json summary_of(const std::string& folder) const {
+        return json::parse(test::content(folder_ / folder / "summary.json"));
+    }
+    std::string content(const std::string& file) const { return test::content(folder_ / file); }
+    std::string map() const { return " --map " + path("first"); }
+
+    const std::string kFew = " --set filter.particles=5";
+};
+
+TEST_F(SecondTourTest, IsLocalisedInAMapThatStaysAsItIs) {
+    const test::Outcome told = run("second.toml", "out", map() + " --localise");
+    ASSERT_EQ(told.status, 0) << told.output;
+    EXPECT_THAT(told.output, HasSubstr("found in the map after "));
+    EXPECT_THAT(told.output, Not(HasSubstr("warning")));
+    EXPECT_EQ(content("out/map.txt"), content("first/map.txt"));
+    const json first = summary_of("first");
+    const json quality = summary_of("out")["quality"];
+    EXPECT_EQ(quality["second_tour"]["begin"], first["scans"].get<int>() + 1);
+    EXPECT_GT(quality["second_tour"]["found"], quality["second_tour"]["begin"]);
+    EXPECT_LT(quality["second_tour"]["found_after_m"], 40.0);
+    EXPECT_LT(quality["largest_correction_m"], 1.0);
+    // The first tour's path is the one that it was, the second's begins where it did.
+    const std::string path = content("out/trajectory.tum");
+    EXPECT_TRUE(path.starts_with(content("first/trajectory.tum")));
+    EXPECT_THAT(path.substr(content("first/trajectory.tum").size()), HasSubstr(" 37."));
+    // The box, at y = -1 to -0.4, and nothing else.
+    const std::string changes = content("out/changes.csv");
+    EXPECT_THAT(changes, HasSubstr("\nnew,"));
+    EXPECT_THAT(changes, Not(HasSubstr("\ngone,")));
+
+    const test::Outcome verified = test::shell(cli_ + " verify " + this->path("out"));
+    EXPECT_EQ(verified.status, 0) << verified.output;
+    const std::string before = content("out/trajectory.tum");
+    ASSERT_EQ(test::shell(cli_ + " run " + this->path("second.toml") + " --config " +
+                          this->path("out/config.cfg") + " --out " + this->path("again"))
+                  .status,
+              0);
+    EXPECT_EQ(content("again/trajectory.tum"), before) << "its configuration says all of it";
+
+    // The map of a run that held a map is that map.
+    ASSERT_EQ(run("second.toml", "third", " --map " + this->path("out") + " --localise").status, 0);
+    EXPECT_EQ(content("third/trajectory.tum"), before);
+}
+
+TEST_F(SecondTourTest, GoesOnWithTheMap) {
+    const test::Outcome told = run("second.toml", "out", map());
+    ASSERT_EQ(told.status, 0) << told.output;
+    EXPECT_THAT(told.output, HasSubstr("found in the map after "));
+    EXPECT_NE(content("out/map.txt"), content("first/map.txt"));
+    const json summary = summary_of("out");
+    EXPECT_GT(summary["scans"], summary_of("first")["scans"].get<int>() + 50);
+    EXPECT_THAT(content("out/config.cfg"), HasSubstr("map = \"" + path("first")));
+}
+
+TEST_F(SecondTourTest, TellsWhatItCannotGoOnWith) {
+    const auto expect = [&](const std::string& options, const std::string& words) {
+        const test::Outcome told = run("second.toml", "out", options);
+        EXPECT_NE(told.status, 0) << options;
+        EXPECT_THAT(told.output, HasSubstr(words)) << options;
+        EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / "summary.json"));
+    };
+    expect(" --map " + path("nothing"), "holds no results of a run");
+    expect("--localise", "--localise requires --map");
+    expect(map() + " --near 1,2", "expected a pose in the map as \"x,y,degrees\"");
+    expect(map() + " --preset thesis", "source.map: only registration finds the robot");
+    expect(map() + " --localise --set filter.algorithm=graph-slam", "registration.hold: ");
+    // Results that would be their own map.
+    const test::Outcome circle = run("second.toml", "first", map());
+    EXPECT_NE(circle.status, 0);
+    EXPECT_THAT(circle.output, HasSubstr("is read by this very command"));
+    file("first/config.cfg", "[source]\nmap = 3\n");
+    expect(map(), "config.cfg:2");
+}
+
+TEST_F(SecondTourTest, ACircleOfMapsIsTold) {
+    std::string text = content("first/config.cfg");
+    const std::string none = "\nmap = \"\"";
+    ASSERT_NE(text.find(none), std::string::npos);
+    text.replace(text.find(none), none.size(), "\nmap = \"" + path("first") + '"');
+    file("first/config.cfg", text);
+    const test::Outcome told = run("second.toml", "out", map());
+    EXPECT_NE(told.status, 0);
+    EXPECT_THAT(told.output, HasSubstr("circle of them"));
+}
+
+}  // namespace
+}  // namespace hitos

@@ -1,0 +1,97 @@
+#include "hitos/capture/joined_tour.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "hitos/capture/recorded_tour.hpp"
+
+namespace hitos {
+namespace {
+
+/// Five scans and ten readings a scan apart from `begin_s` on, line by line.
+std::unique_ptr<TourReader> tour_from(double begin_s, std::uint64_t skipped) {
+    auto tour = std::make_shared<RecordedTour>();
+    for (int i = 0; i < 5; ++i) {
+        Scan scan;
+        scan.time_s = begin_s + i;
+        scan.line = static_cast<std::uint64_t>(3 * i + 3);
+        tour->scans.items.push_back(scan);
+    }
+    for (int i = 0; i < 10; ++i) {
+        const auto line = static_cast<std::uint64_t>(i + 1);
+        tour->odometry.items.push_back({begin_s - 0.2 + 0.5 * i, {0.1 * i, 0.0, 0.0}, line});
+    }
+    ReadReport report;
+    report.skipped = skipped;
+    report.examples.assign(skipped, {7, verbatim("bad")});
+    tour->scans.notes.push_back({6, report});
+    return std::make_unique<RecordedReader>(tour);
+}
+
+struct Both {
+    std::vector<Scan> scans;
+    std::vector<Odometria> odometry;
+};
+
+Both read_all(TourReader& tour, bool odometry_first) {
+    Both read;
+    const auto take = [](auto&& next, auto& items) {
+        while (auto item = next()) items.push_back(*item);
+    };
+    const auto scans = [&] { take([&] { return tour.next_scan(); }, read.scans); };
+    if (!odometry_first) scans();
+    take([&] { return tour.next_odometry(); }, read.odometry);
+    if (odometry_first) scans();
+    return read;
+}
+
+TEST(JoinedTour, PutsTheSecondTourBehindTheFirst) {
+    for (const bool odometry_first : {false, true}) {
+        // The first is over at 104.3 s, by its odometry, the second begins at 2.8 s.
+        const auto tour = make_joined_tour(tour_from(100.0, 2), tour_from(3.0, 1));
+        const Both read = read_all(*tour, odometry_first);
+        ASSERT_EQ(read.scans.size(), 10U);
+        ASSERT_EQ(read.odometry.size(), 20U);
+        for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(read.scans[i].begins_tour, i == 5);
+        EXPECT_EQ(read.scans[4].time_s, 104.0);
+        EXPECT_EQ(read.scans[5].time_s, 105.0) << "whole seconds later";
+        EXPECT_NEAR(read.odometry[10].time_s, 104.8, 1e-9);
+        EXPECT_EQ(read.odometry[11].twist, Twist({0.1, 0.0, 0.0}));
+        // Lines go on too: readings up to a scan's line are those before it.
+        EXPECT_EQ(read.scans[5].line, 15U + 3U);
+        EXPECT_EQ(read.odometry[10].line, 15U + 1U);
+        EXPECT_EQ(tour->report().skipped, 3U);
+        EXPECT_EQ(tour->report().examples.size(), 3U);
+
+        tour->restart();
+        const Both again = read_all(*tour, !odometry_first);
+        EXPECT_EQ(again.scans, read.scans);
+        EXPECT_EQ(again.odometry, read.odometry);
+        EXPECT_EQ(read_all(*tour->reopen(), odometry_first).scans, read.scans);
+    }
+}
+
+TEST(JoinedTour, LeavesStampsThatGoOnAsTheyAre) {
+    const auto tour = make_joined_tour(tour_from(100.0, 0), tour_from(1000.5, 0));
+    const Both read = read_all(*tour, false);
+    EXPECT_EQ(read.scans[5].time_s, 1000.5);
+    EXPECT_EQ(read.scans[5].stamp_s(), 1000.5);
+}
+
+TEST(JoinedTour, OfThreeToursTheLastTwoBegin) {
+    const auto tour =
+        make_joined_tour(make_joined_tour(tour_from(1, 0), tour_from(2, 0)), tour_from(3, 0));
+    const Both read = read_all(*tour, true);
+    ASSERT_EQ(read.scans.size(), 15U);
+    for (std::size_t i = 0; i < 15; ++i) {
+        EXPECT_EQ(read.scans[i].begins_tour, i == 5 || i == 10) << i;
+        if (i == 0) continue;
+        EXPECT_GT(read.scans[i].time_s, read.scans[i - 1].time_s);
+    }
+}
+
+}  // namespace
+}  // namespace hitos
