@@ -82,9 +82,10 @@ class LoopCloser {
     struct Found {
         Pose move;
         double travelled_m;
-        bool far;             ///< not where the graph would have it
-        bool single = true;   ///< no other place was nearly as like
-        std::size_t piece{};  ///< of a piece: its first key
+        bool far;               ///< not where the graph would have it
+        bool single = true;     ///< no other place was nearly as like
+        std::size_t piece{};    ///< of a piece: its first key
+        double likeness = 0.0;  ///< of a piece
     };
     /// Where to look: which earlier key, and for the newest one's pose.
     struct Place {
@@ -128,7 +129,8 @@ class LoopCloser {
                                           std::vector<LoopRecord>& refused);
     std::optional<LoopFound> followed_piece(const KeyGraph& graph, const CarriedPiece& piece,
                                             std::vector<LoopRecord>& refused);
-    bool agreed_on_piece(const Pose& now, const Pose& then, double travelled_m, std::size_t piece);
+    std::optional<double> agreed_on_piece(const KeyGraph& graph, const LoopFound& loop,
+                                          std::size_t piece);
     static double piece_seen_through(const KeyGraph& graph, const CarriedPiece& piece,
                                      const Pose& pose);
     const Before& all_before(const KeyGraph& graph, const CarriedPiece& piece);

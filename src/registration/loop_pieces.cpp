@@ -142,29 +142,36 @@ std::optional<LoopFound> LoopCloser::followed_piece(const KeyGraph& graph,
 }
 
 /// Whether finds enough say so: where places look alike, of which finds that say otherwise tell,
-/// the robot must be followed the further.
-bool LoopCloser::agreed_on_piece(const Pose& now, const Pose& then, double travelled_m,
-                                 std::size_t piece) {
+/// the robot must be followed the further. Returns the greatest likeness of those that say so: it
+/// may have turned to what nobody has seen since.
+std::optional<double> LoopCloser::agreed_on_piece(const KeyGraph& graph, const LoopFound& loop,
+                                                  std::size_t piece) {
     constexpr double kRemembered = 100.0;  // [m] of travel
     constexpr double kEachOther = 0.5;     // [m] further for each find that says otherwise
+    const Pose& now = graph.poses.back().pose;
+    const double travelled_m = graph.scans.back().travelled_m;
     while (!sought_.empty() && travelled_m - sought_.front().travelled_m > kRemembered) {
         sought_.pop_front();
     }
     int agreeing = 1;
     int others = 0;
     double span = 0.0;
+    double most_like = likeness(loop);
     for (const Found& found : sought_) {
         if (found.piece != piece) continue;
-        if (!found.single || !says(found, now, then, travelled_m)) {
+        if (!found.single || !says(found, now, loop.pose, travelled_m)) {
             ++others;
             continue;
         }
         ++agreeing;
         span = std::max(span, travelled_m - found.travelled_m);
+        most_like = std::max(most_like, found.likeness);
     }
-    sought_.push_back({compose(then, inverse(now)), travelled_m, true, true, piece});
-    return agreeing >= params_.loops_agree + kMoreOfFar && agreeing > others &&
-           span > kFarSpan + kEachOther * others;
+    sought_.push_back(
+        {compose(loop.pose, inverse(now)), travelled_m, true, true, piece, likeness(loop)});
+    const bool enough = agreeing >= params_.loops_agree + kMoreOfFar && agreeing > others &&
+                        span > kFarSpan + kEachOther * others;
+    return enough ? std::optional(most_like) : std::nullopt;
 }
 
 /// Were the newest key at `pose`: the greater of the shares that its piece and what was before it
@@ -234,7 +241,8 @@ std::optional<LoopFound> LoopCloser::search_piece(const KeyGraph& graph, const C
         single = true;
     }
     if (!loop) return std::nullopt;
-    if (!agreed_on_piece(graph.poses.back().pose, loop->pose, way_m, piece.first)) {
+    const std::optional<double> most_like = agreed_on_piece(graph, *loop, piece.first);
+    if (!most_like) {
         refuse(loop->record, LoopVerdict::alone);
         return std::nullopt;
     }
@@ -244,7 +252,7 @@ std::optional<LoopFound> LoopCloser::search_piece(const KeyGraph& graph, const C
         const std::optional<LoopFound> still = single_place(graph, piece, refused);
         if (!still || !same_place(still->pose, loop->pose)) return std::nullopt;
     }
-    if (likeness(*loop) <= kLeastLikeness) {
+    if (*most_like <= kLeastLikeness) {
         refuse(loop->record, LoopVerdict::unlike);
         return std::nullopt;
     }

@@ -29,7 +29,7 @@ std::shared_ptr<Run> made_run(const py::object& tour, const py::object& configur
                               const py::object& reference_trajectory,
                               const std::optional<path>& distances, bool uncertainty) {
     const TourArgument argument = tour_argument(tour);
-    return std::make_shared<Run>(argument, configuration_for(argument, configuration),
+    return std::make_shared<Run>(configuration_for(argument, configuration),
                                  references_of(reference, reference_trajectory, distances),
                                  uncertainty);
 }

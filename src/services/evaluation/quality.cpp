@@ -176,8 +176,8 @@ void warn_of_registration(const Registration& registration, const Trajectory& od
         warn(warnings,
              HITOS_TEXT("Advice",
                         "The tour that begins at scan %1 was not found in the map of the one "
-                        "before: it saw too little of what that one saw, or nothing there is like "
-                        "no other place. It lies beside that map."),
+                        "before: it saw too little of it, or only what several places there have "
+                        "in common. It lies beside that map."),
              fmt::format("{}", figures.second_tour->begin + 1));
     }
     const double unmatched = figures.scans > 0 ? static_cast<double>(figures.unmatched) /

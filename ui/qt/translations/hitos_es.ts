@@ -87,6 +87,10 @@
         <source>Loops that were closed by hand lie on hardly anything that the earlier passage saw (scan %1): is the pose in metres and radians, and of the later scan seen from the earlier one?</source>
         <translation>Hay bucles cerrados a mano que no caen sobre casi nada de lo que vio la pasada anterior (barrido %1): ¿está la pose en metros y radianes, y es la del barrido posterior vista desde el anterior?</translation>
     </message>
+    <message>
+        <source>The tour that begins at scan %1 was not found in the map of the one before: it saw too little of it, or only what several places there have in common. It lies beside that map.</source>
+        <translation>El recorrido que empieza en el barrido %1 no se ha encontrado en el mapa del anterior: vio demasiado poco de él, o solo lo que varios sitios de allí tienen en común. Queda junto a ese mapa.</translation>
+    </message>
 </context>
 <context>
     <name>Associations</name>
@@ -3066,6 +3070,26 @@
         <source>the robot may have been carried, and for that the places are too little alike: %1 (score times overlap times what is not seen through), and more than %2 is asked; %3 is seen through, and at most %4 is allowed</source>
         <translation>puede que el robot haya sido llevado, y para eso los lugares se parecen poco: %1 (puntuación por solape por lo que no se atraviesa con la vista), y se pide más de %2; se atraviesa con la vista %3, y se admite como mucho %4</translation>
     </message>
+    <message>
+        <source>found &quot;%1&quot;, expected a pose in the map as &quot;x,y,degrees&quot;, in metres</source>
+        <translation>hay «%1»; se esperaba una pose en el mapa como «x,y,grados», en metros</translation>
+    </message>
+    <message>
+        <source>only registration finds the robot in the map of another tour; use preset recorded, or %1 and registration.loops=on</source>
+        <translation>solo la alineación de barridos encuentra al robot en el mapa de otro recorrido; use --preset recorded, o %1 y registration.loops=on</translation>
+    </message>
+    <message>
+        <source>graph-slam moves every landmark of its graph; use another filter.algorithm to hold a map</source>
+        <translation>graph-slam mueve todas las marcas de su grafo; use otro filter.algorithm para retener un mapa</translation>
+    </message>
+    <message>
+        <source>%1 is the end of a chain of more than %2 maps, or of a circle of them</source>
+        <translation>%1 es el final de una cadena de más de %2 mapas, o de un círculo de ellos</translation>
+    </message>
+    <message>
+        <source>holds no results of a run (no config.cfg); expected the folder that a run of the first tour has written</source>
+        <translation>no tiene resultados de una ejecución (no hay config.cfg); se esperaba la carpeta que ha escrito una ejecución del primer recorrido</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -3902,6 +3926,18 @@
     <message>
         <source>What is changed in the graph of this very tour: &quot;refuse SCAN EARLIER&quot; (no loop), &quot;close SCAN EARLIER X Y THETA&quot; (a loop), &quot;fix SCAN X Y THETA&quot;, &quot;slip SCAN&quot;, with semicolons between; a file of them is read by --edits.</source>
         <translation>Lo que se cambia en el grafo de este mismo recorrido: «refuse SCAN EARLIER» (no es un bucle), «close SCAN EARLIER X Y THETA» (lo es), «fix SCAN X Y THETA», «slip SCAN», separados por punto y coma; --edits lee un archivo de ellos.</translation>
+    </message>
+    <message>
+        <source>Whether the map of the tour before (source.map) stays as it is: the robot is found in it and followed, and nothing is added.</source>
+        <translation>Si el mapa del recorrido anterior (source.map) queda como está: se encuentra al robot en él y se le sigue, y no se añade nada.</translation>
+    </message>
+    <message>
+        <source>Where in the map of the tour before (source.map) this one begins, as x,y,degrees, give or take 3 m and 30 degrees, where places look alike; empty looks for it everywhere.</source>
+        <translation>Dónde empieza este recorrido en el mapa del anterior (source.map), como x,y,grados, con 3 m y 30 grados de margen, para donde hay sitios parecidos; vacío lo busca en todas partes.</translation>
+    </message>
+    <message>
+        <source>Folder with the results of a run, whose tour comes before this one: the robot, which may begin anywhere in that map, is found in it, and the map goes on; empty begins a new one.</source>
+        <translation>Carpeta con los resultados de una ejecución, cuyo recorrido va antes de este: se encuentra al robot, que puede empezar en cualquier sitio de ese mapa, y el mapa sigue; vacío empieza uno nuevo.</translation>
     </message>
 </context>
 <context>
@@ -4751,6 +4787,18 @@
     <message>
         <source>Changes by hand</source>
         <translation>Cambios a mano</translation>
+    </message>
+    <message>
+        <source>Hold the map</source>
+        <translation>Retener el mapa</translation>
+    </message>
+    <message>
+        <source>Start in the map</source>
+        <translation>Inicio en el mapa</translation>
+    </message>
+    <message>
+        <source>Map to go on with</source>
+        <translation>Mapa con el que seguir</translation>
     </message>
 </context>
 <context>
