@@ -4,7 +4,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string_view>
 #include <utility>
+#include <vector>
+
+#include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
 
 namespace hitos {
 namespace {
@@ -30,16 +35,27 @@ ReadReport together(const ReadReport& a, const ReadReport& b) {
 
 class JoinedTour final : public TourReader {
   public:
-    JoinedTour(std::unique_ptr<TourReader> first, std::unique_ptr<TourReader> second)
-        : first_(std::move(first)), second_(std::move(second)) {}
+    JoinedTour(FirstTour first, std::unique_ptr<TourReader> second, TourBegin begin)
+        : run_(std::move(first.results)),
+          scans_(first.scans),
+          first_(std::move(first.reader)),
+          second_(std::move(second)),
+          begin_(begin) {}
 
     std::optional<Scan> next_scan() override {
         if (!scans_of_second_) {
-            if (std::optional<Scan> scan = first_->next_scan()) return scan;
+            if (std::optional<Scan> scan = first_->next_scan()) {
+                ++read_;
+                return scan;
+            }
+            check_first();
         }
         std::optional<Scan> scan = second_->next_scan();
-        if (!scan) return scan;
-        scan->begins_tour = !std::exchange(scans_of_second_, true);
+        if (!scan) {
+            if (!scans_of_second_) throw without_scans();
+            return scan;
+        }
+        if (!std::exchange(scans_of_second_, true)) scan->begins_tour = begin_;
         put_behind(*scan);
         return scan;
     }
@@ -57,9 +73,11 @@ class JoinedTour final : public TourReader {
         first_->restart();
         second_->restart();
         scans_of_second_ = odometry_of_second_ = false;
+        read_ = 0;
     }
     std::unique_ptr<TourReader> reopen() const override {
-        return std::make_unique<JoinedTour>(first_->reopen(), second_->reopen());
+        return std::make_unique<JoinedTour>(FirstTour{first_->reopen(), run_, scans_},
+                                            second_->reopen(), begin_);
     }
     const ReadReport& report() const override {
         return report_ = together(first_->report(), second_->report());
@@ -80,6 +98,21 @@ class JoinedTour final : public TourReader {
     }
 
   private:
+    void check_first() const {
+        if (scans_ == 0 || read_ == scans_) return;
+        throw FileError(run_,
+                        HITOS_TEXT("Errors",
+                                   "holds the results of %1 scans, and its log %2 has %3: "
+                                   "it was stopped, or the log has changed; run it again"),
+                        scans_, first_->name(), read_);
+    }
+    FormatError without_scans() const {
+        return {second_->name(), 0,
+                message(HITOS_TEXT("Errors",
+                                   "%1; expected at least one scan: check the file and its "
+                                   "format"),
+                        marked(HITOS_TEXT("Errors", "found no readable scan")))};
+    }
     /// What is added to the second tour's stamps and lines.
     struct Behind {
         double time_s = 0.0;
@@ -112,8 +145,12 @@ class JoinedTour final : public TourReader {
         item.line += behind().lines;
     }
 
+    std::string run_;
+    std::uint64_t scans_;
     std::unique_ptr<TourReader> first_;
     std::unique_ptr<TourReader> second_;
+    TourBegin begin_;
+    std::uint64_t read_ = 0;  // scans of the first
     std::optional<Behind> behind_;
     bool scans_of_second_ = false;
     bool odometry_of_second_ = false;
@@ -122,9 +159,27 @@ class JoinedTour final : public TourReader {
 
 }  // namespace
 
-std::unique_ptr<TourReader> make_joined_tour(std::unique_ptr<TourReader> first,
-                                             std::unique_ptr<TourReader> second) {
-    return std::make_unique<JoinedTour>(std::move(first), std::move(second));
+std::optional<Pose> start_of(const std::string& text) {
+    if (input::trimmed(text).empty()) return std::nullopt;
+    const std::vector<std::string_view> words = input::listed(text);
+    std::vector<double> numbers;
+    for (const std::string_view word : words) {
+        const std::optional<double> number = input::parse_number(word);
+        if (number && std::abs(*number) < 1e6) numbers.push_back(*number);
+    }
+    if (numbers.size() != 3 || words.size() != 3) {
+        throw ConfigError("source.start",
+                          HITOS_TEXT("Errors",
+                                     "found \"%1\", expected a pose in the map as "
+                                     "\"x,y,degrees\", in metres"),
+                          text);
+    }
+    return Pose{numbers[0], numbers[1], wrap_angle(numbers[2] * kRadiansPerDegree)};
+}
+
+std::unique_ptr<TourReader> make_joined_tour(FirstTour first, std::unique_ptr<TourReader> second,
+                                             TourBegin begin) {
+    return std::make_unique<JoinedTour>(std::move(first), std::move(second), begin);
 }
 
 }  // namespace hitos

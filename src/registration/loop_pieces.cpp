@@ -11,7 +11,7 @@
 namespace hitos {
 namespace {
 
-constexpr double kSaidHeading = 0.6;  // [rad] from what somebody says
+constexpr double kSaidHeading = 0.53;  // [rad], 30 degrees, from what somebody says
 
 double likeness(const LoopFound& loop) {
     return likeness(loop.record);

@@ -39,19 +39,19 @@ RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control
     const bool first = graph_.size() == 0;
     const bool wanted = editor_.needs_key(out.scan);
     const bool slipped = editor_.slipped(out.scan);
-    const bool other_tour = scan.begins_tour && !first;
+    const TourBegin* const begin = scan.begins_tour && !first ? &*scan.begins_tour : nullptr;
     const bool moved = way.moved() || slipped;
-    if (first || moved || wanted || other_tour) {  // else nothing to match, and no key due
+    if (first || moved || wanted || begin != nullptr) {  // else nothing to match, and no key due
         find_surface_points(scan, params_.range_m, points_);
-        if (other_tour) {
+        if (begin != nullptr) {
             leave_first_tour();
         } else if (!first && moved) {
             step(way, slipped, out);
         }
-        out.key = first || wanted || other_tour || key_due();
+        out.key = first || wanted || begin != nullptr || key_due();
     }
     out.pose = now_;
-    if (out.key) add_key(out.scan, other_tour);
+    if (out.key) add_key(out.scan, begin);
     const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
     placed_.push_back({newest, between(graph_.poses[newest].pose, now_)});
     if (out.key) {
@@ -151,9 +151,9 @@ bool Registration::Impl::key_due() const {
            std::abs(since.theta) > params_.key_angle_rad;
 }
 
-void Registration::Impl::add_key(std::uint64_t scan, bool other_tour) {
+void Registration::Impl::add_key(std::uint64_t scan, const TourBegin* begin) {
     // Of one that stood, the graph may have moved since.
-    if (graph_.size() > 0 && !other_tour) refresh_map(now_);
+    if (graph_.size() > 0 && begin == nullptr) refresh_map(now_);
     KeyScan key;
     key.hold(points_);
     key.travelled_m = travelled_m_;
@@ -161,8 +161,8 @@ void Registration::Impl::add_key(std::uint64_t scan, bool other_tour) {
     key.variance_rad2 = variance_rad2_ + kKeySlipRad * kKeySlipRad;
     graph_.add({now_, scan}, std::move(key));
     const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
-    if (other_tour) {
-        begin_second_tour(scan);
+    if (begin != nullptr) {
+        begin_second_tour(scan, *begin);
     } else if (newest > 0) {
         if (odometry_variances_.isZero())  // it stood
             odometry_variances_ = odometry_variances({}, params_.odometry_scale);

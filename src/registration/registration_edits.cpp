@@ -62,10 +62,11 @@ void Registration::Impl::edit_graph(std::vector<KeyPose>& before) {
 
 /// Somebody says where the newest key is, from a key on: a tour that nobody has found begins there.
 void Registration::Impl::lay_where_said(const Pose& pose, std::size_t from) {
-    if (carried_.empty() || !carried_.back().other_tour || from >= carried_.back().first) return;
+    const auto tour = tour_not_found(from);
+    if (tour == carried_.end()) return;
     lay_piece(pose);
-    note_found(graph_.poses.back().scan);
-    carried_.pop_back();
+    note_found(*tour, graph_.poses.back().scan);
+    believe(from);
 }
 
 LoopRecord Registration::Impl::fitted_loop(std::uint64_t scan, std::uint64_t earlier,

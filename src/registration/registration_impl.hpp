@@ -70,7 +70,7 @@ class Registration::Impl {
     void learn(const DrivenWay& way, const Guess& guess, const Pose& before);
     void refresh_map(const Pose& about);
     bool key_due() const;
-    void add_key(std::uint64_t scan, bool other_tour);
+    void add_key(std::uint64_t scan, const TourBegin* begin);
     void close_loop(std::vector<KeyPose>& before);
     LoopVerdict close(const LoopFound& found, LoopRecord& record);
     void note_closed(LoopRecord& record, std::vector<KeyPose> now, std::vector<KeyPose>& before,
@@ -81,8 +81,9 @@ class Registration::Impl {
     void find_piece(std::vector<KeyPose>& before);
     void lay_piece(const Pose& pose);
     void leave_first_tour();
-    void begin_second_tour(std::uint64_t scan);
-    void note_found(std::uint64_t scan);
+    void begin_second_tour(std::uint64_t scan, const TourBegin& begin);
+    void note_found(const CarriedPiece& piece, std::uint64_t scan);
+    std::vector<CarriedPiece>::iterator tour_not_found(std::size_t earlier_key);
     void lay_where_said(const Pose& pose, std::size_t from);
     GraphSolution solution(int iterations, bool robust) const {
         return {iterations, robust, held_};

@@ -1,17 +1,11 @@
 #include "hitos/registration/registration_parameters.hpp"
 
-#include <cmath>
-#include <string_view>
 #include <vector>
 
-#include "hitos/base/error.hpp"
-#include "hitos/base/text_input.hpp"
 #include "hitos/registration/graph_edit.hpp"
 
 namespace hitos {
 namespace {
-
-constexpr const char* kStartKey = "registration.start";
 
 using namespace declare;
 using Table = std::vector<Parameter<RegistrationParams>>;
@@ -100,18 +94,6 @@ Table loop_entries() {
                                         HITOS_TEXT("Parameter",
                                                    "How often all key scans are matched anew with "
                                                    "their neighbours at the tour's end.")}),
-        choice<&Params::hold>(
-            {"registration.hold", HITOS_TEXT("ParameterLabel", "Hold the map"),
-             HITOS_TEXT("Parameter",
-                        "Whether the map of the tour before (source.map) stays as it is: the robot "
-                        "is found in it and followed, and nothing is added.")},
-            off_on()),
-        text<&Params::start>(
-            {kStartKey, HITOS_TEXT("ParameterLabel", "Start in the map"),
-             HITOS_TEXT("Parameter",
-                        "Where in the map of the tour before (source.map) this one begins, as "
-                        "x,y,degrees, give or take 3 m and 30 degrees, where places look alike; "
-                        "empty looks for it everywhere.")}),
         text<&Params::edits>(
             {kGraphEditsKey, HITOS_TEXT("ParameterLabel", "Changes by hand"),
              HITOS_TEXT("Parameter",
@@ -123,24 +105,6 @@ Table loop_entries() {
 }
 
 }  // namespace
-
-std::optional<Pose> start_of(const std::string& text) {
-    if (input::trimmed(text).empty()) return std::nullopt;
-    const std::vector<std::string_view> words = input::listed(text);
-    std::vector<double> numbers;
-    for (const std::string_view word : words) {
-        const std::optional<double> number = input::parse_number(word);
-        if (number && std::abs(*number) < 1e6) numbers.push_back(*number);
-    }
-    if (numbers.size() != 3 || words.size() != 3) {
-        throw ConfigError(kStartKey,
-                          HITOS_TEXT("Errors",
-                                     "found \"%1\", expected a pose in the map as \"x,y,degrees\", "
-                                     "in metres"),
-                          text);
-    }
-    return Pose{numbers[0], numbers[1], wrap_angle(numbers[2] * kRadiansPerDegree)};
-}
 
 std::span<const Parameter<RegistrationParams>> registration_parameters() {
     static const Table table = together({matching_entries(), loop_entries()});

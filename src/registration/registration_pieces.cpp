@@ -64,8 +64,9 @@ void Registration::Impl::find_piece(std::vector<KeyPose>& before) {
     }
     const KeyGraph graph = graph_;
     const std::vector<Placed> placed = placed_;
-    const bool other_tour = carried_.back().other_tour;
-    const std::size_t corrected = other_tour ? carried_.back().first : graph_.size();
+    const auto tour = tour_not_found(found->key);
+    const bool other_tour = tour != carried_.end();
+    const std::size_t corrected = other_tour ? tour->first : graph_.size();
     // Outdoors much is bent between breaks where nobody carried the robot: what the graph explains
     // is a loop like any other.
     const bool explained =
@@ -82,8 +83,8 @@ void Registration::Impl::find_piece(std::vector<KeyPose>& before) {
         return;
     }
     closer_.forget();
-    if (other_tour) note_found(record.scan);
-    if (explained) {
+    if (other_tour) note_found(*tour, record.scan);
+    if (explained || other_tour) {
         believe(found->key);
     } else {
         carried_.pop_back();
@@ -103,12 +104,12 @@ void Registration::Impl::leave_first_tour() {
 }
 
 /// The newest key is its first.
-void Registration::Impl::begin_second_tour(std::uint64_t scan) {
+void Registration::Impl::begin_second_tour(std::uint64_t scan, const TourBegin& begin) {
     const std::size_t first = graph_.size() - 1;
     graph_.cut(first);
-    carried_.push_back({first, first, scan, travelled_m_, true, start_of(params_.start)});
-    figures_.second_tour = {scan, std::nullopt, 0.0};
-    if (params_.hold) held_ = first;
+    carried_.push_back({first, first, scan, travelled_m_, true, begin.start});
+    figures_.later_tours.push_back({scan, std::nullopt, 0.0});
+    if (begin.hold) held_ = first;
     // It holds the tour where it lies, for whoever solves the graph, and goes when it is found.
     const auto from = static_cast<std::uint32_t>(first - 1);
     graph_.edges.push_back({from, from + 1,
@@ -116,10 +117,21 @@ void Registration::Impl::begin_second_tour(std::uint64_t scan) {
                             Eigen::Matrix3d::Identity(), EdgeKind::odometry});
 }
 
-void Registration::Impl::note_found(std::uint64_t scan) {
-    if (!figures_.second_tour || figures_.second_tour->found) return;
-    figures_.second_tour->found = scan;
-    figures_.second_tour->way_m = travelled_m_ - graph_.scans[carried_.back().first].travelled_m;
+/// The tour of a piece, of which a later scan was found.
+void Registration::Impl::note_found(const CarriedPiece& piece, std::uint64_t scan) {
+    for (SecondTour& tour : figures_.later_tours) {
+        if (tour.begin != piece.scan || tour.found) continue;
+        tour.found = scan;
+        tour.way_m = travelled_m_ - graph_.scans[piece.first].travelled_m;
+    }
+}
+
+/// The tour that nobody has found yet and that began after a key; null where there is none. Behind
+/// a break in it there are newer pieces.
+std::vector<CarriedPiece>::iterator Registration::Impl::tour_not_found(std::size_t earlier_key) {
+    return std::ranges::find_if(carried_, [earlier_key](const CarriedPiece& piece) {
+        return piece.other_tour && earlier_key < piece.first;
+    });
 }
 
 /// Cuts the tour where the robot was carried and lays the newest key at a pose, with all keys since

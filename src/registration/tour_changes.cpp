@@ -112,9 +112,9 @@ void note_changes(const Side& seen_by, const Side& not_by, bool gone,
 
 std::vector<ChangedPlace> Registration::Impl::changes() const {
     std::vector<ChangedPlace> changes;
-    if (!figures_.second_tour || !figures_.second_tour->found) return changes;
+    if (figures_.later_tours.empty() || !figures_.later_tours.back().found) return changes;
     std::size_t first = 0;
-    while (graph_.poses[first].scan < figures_.second_tour->begin) ++first;
+    while (graph_.poses[first].scan < figures_.later_tours.back().begin) ++first;
     const Side before = side_of(graph_, 0, first);
     const Side since = side_of(graph_, first, graph_.size());
     note_changes(before, since, true, changes);

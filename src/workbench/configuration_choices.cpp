@@ -40,8 +40,8 @@ void choose_values(Configuracion& configuration, const ValueChoices& choices) {
         configuration.source.map =
             std::filesystem::absolute(choices.map).lexically_normal().string();
     }
-    if (!choices.near.empty()) configuration.registration.start = choices.near;
-    if (choices.localise) configuration.registration.hold = true;
+    if (!choices.near.empty()) configuration.source.start = choices.near;
+    if (choices.localise) configuration.source.hold = true;
     if (choices.tour_seed) {
         find_parameter("source.tour_seed").set(configuration, std::to_string(*choices.tour_seed));
     }

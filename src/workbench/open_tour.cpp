@@ -10,6 +10,7 @@
 #include "hitos/capture/joined_tour.hpp"
 #include "hitos/registration/scan_odometry.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "hitos/simulation/drive/simulated_tour_reader.hpp"
 
@@ -56,8 +57,7 @@ Map map_in(std::string folder) {
                                                "has written"));
         }
         Map map{folder, ArchivoConfiguracion::read(file)};
-        if (map.configuration.source.map.empty() || !map.configuration.registration.hold)
-            return map;
+        if (map.configuration.source.map.empty() || !map.configuration.source.hold) return map;
         folder = map.configuration.source.map;
     }
     throw endless(folder);
@@ -82,9 +82,11 @@ std::unique_ptr<TourReader> open_behind(const SourceParams& source, std::uint64_
                                         int maps) {
     if (source.map.empty()) return open_one(source, run_seed);
     if (maps == kMostMaps) throw endless(source.map);
-    const Configuracion before = map_in(source.map).configuration;
-    return make_joined_tour(open_behind(before.source, before.run.seed, maps + 1),
-                            open_one(source, run_seed));
+    const auto [folder, before] = map_in(source.map);
+    const std::uint64_t scans =
+        read_trajectory(std::filesystem::path(folder) / "trajectory.tum").size();
+    return make_joined_tour({open_behind(before.source, before.run.seed, maps + 1), folder, scans},
+                            open_one(source, run_seed), {source.hold, start_of(source.start)});
 }
 
 }  // namespace
@@ -94,8 +96,6 @@ Configuracion configuration_to_go_on(const std::string& map) {
     const ReadOptions read = for_another_recording(configuration.source.read);
     configuration.source = {};
     configuration.source.read = read;
-    configuration.registration.hold = false;
-    configuration.registration.start.clear();
     return configuration;
 }
 
@@ -123,11 +123,15 @@ std::vector<std::filesystem::path> tour_files(const SourceParams& source) {
     std::vector<std::filesystem::path> files = tour_files(source.file);
     std::string folder = source.map;
     for (int maps = 0; !folder.empty() && maps < kMostMaps; ++maps) {
-        const auto [made, before] = map_in(folder);
-        files.push_back(std::filesystem::path(made) / "config.cfg");
-        for (std::filesystem::path& file : tour_files(before.source.file))
-            files.push_back(std::move(file));
-        folder = before.source.map;
+        const std::filesystem::path file = std::filesystem::path(folder) / "config.cfg";
+        static_cast<void>(map_in(folder));  // throws
+        const SourceParams before = ArchivoConfiguracion::read(file).source;
+        files.push_back(file);
+        if (!before.hold || before.map.empty()) {  // else its own tour is not in the map
+            for (std::filesystem::path& log : tour_files(before.file))
+                files.push_back(std::move(log));
+        }
+        folder = before.map;
     }
     return files;
 }

@@ -15,7 +15,7 @@ class Run:
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         summary = json.loads((out / "summary.json").read_text())
         self.breaks = summary["quality"].get("scans_breaking", [])
-        self.second = summary["quality"].get("second_tour")
+        self.second = summary["quality"].get("later_tours", [None])[-1]
         rows = csv.DictReader((out / "loops.csv").read_text().splitlines())
         self.loops = [(int(row["earlier"]), int(row["scan"])) for row in rows
                       if row["verdict"] == "closed"]

@@ -39,7 +39,7 @@ way_points = [[37.5, 0.5], [0.5, 0.5], [0.5, 7.5]]
 max_range = 30
 rate = 2
 )");
-        const test::Outcome first = run("first.toml", "first", "--preset recorded" + kFew);
+        const test::Outcome first = run("first.toml", "first", "--preset recorded" + few_);
         ASSERT_EQ(first.status, 0) << first.output;
     }
     test::Outcome run(const std::string& log, const std::string& folder,
@@ -53,7 +53,7 @@ rate = 2
     std::string content(const std::string& file) const { return test::content(folder_ / file); }
     std::string map() const { return " --map " + path("first"); }
 
-    const std::string kFew = " --set filter.particles=5";
+    const std::string few_ = " --set filter.particles=5";
 };
 
 TEST_F(SecondTourTest, IsLocalisedInAMapThatStaysAsItIs) {
@@ -64,9 +64,10 @@ TEST_F(SecondTourTest, IsLocalisedInAMapThatStaysAsItIs) {
     EXPECT_EQ(content("out/map.txt"), content("first/map.txt"));
     const json first = summary_of("first");
     const json quality = summary_of("out")["quality"];
-    EXPECT_EQ(quality["second_tour"]["begin"], first["scans"].get<int>() + 1);
-    EXPECT_GT(quality["second_tour"]["found"], quality["second_tour"]["begin"]);
-    EXPECT_LT(quality["second_tour"]["found_after_m"], 40.0);
+    const json tour = quality["later_tours"][0];
+    EXPECT_EQ(tour["begin"], first["scans"].get<int>() + 1);
+    EXPECT_GT(tour["found"], tour["begin"]);
+    EXPECT_LT(tour["found_after_m"], 40.0);
     EXPECT_LT(quality["largest_correction_m"], 1.0);
     // The first tour's path is the one that it was, the second's begins where it did.
     const std::string path = content("out/trajectory.tum");
@@ -101,6 +102,27 @@ TEST_F(SecondTourTest, GoesOnWithTheMap) {
     EXPECT_THAT(content("out/config.cfg"), HasSubstr("map = \"" + path("first")));
 }
 
+TEST_F(SecondTourTest, HoldsTheMapThatTwoToursHaveMade) {
+    ASSERT_EQ(run("second.toml", "both", map()).status, 0);
+    const test::Outcome told = run("first.toml", "out", " --localise --map " + path("both"));
+    ASSERT_EQ(told.status, 0) << told.output;
+    EXPECT_EQ(content("out/map.txt"), content("both/map.txt"));
+    const json tours = summary_of("out")["quality"]["later_tours"];
+    ASSERT_EQ(tours.size(), 2U);
+    for (const json& tour : tours) EXPECT_TRUE(tour.contains("found"));
+    EXPECT_THAT(told.output, Not(HasSubstr("other parameters")));
+    // A run that holds a map reads its own folder's configuration too.
+    const test::Outcome circle = run("first.toml", "out", " --localise --map " + path("out"));
+    EXPECT_NE(circle.status, 0);
+    EXPECT_THAT(circle.output, HasSubstr("is read by this very command"));
+}
+
+TEST_F(SecondTourTest, TellsAMapThatIsMadeOtherwise) {
+    const test::Outcome told = run("second.toml", "out", map() + " --seed 7");
+    EXPECT_EQ(told.status, 0) << told.output;
+    EXPECT_THAT(told.output, HasSubstr("is another one: run.seed\n"));
+}
+
 TEST_F(SecondTourTest, TellsWhatItCannotGoOnWith) {
     const auto expect = [&](const std::string& options, const std::string& words) {
         const test::Outcome told = run("second.toml", "out", options);
@@ -112,11 +134,19 @@ TEST_F(SecondTourTest, TellsWhatItCannotGoOnWith) {
     expect("--localise", "--localise requires --map");
     expect(map() + " --near 1,2", "expected a pose in the map as \"x,y,degrees\"");
     expect(map() + " --preset thesis", "source.map: only registration finds the robot");
-    expect(map() + " --localise --set filter.algorithm=graph-slam", "registration.hold: ");
+    expect(map() + " --localise --set filter.algorithm=graph-slam", "source.hold: ");
     // Results that would be their own map.
     const test::Outcome circle = run("second.toml", "first", map());
     EXPECT_NE(circle.status, 0);
     EXPECT_THAT(circle.output, HasSubstr("is read by this very command"));
+    file("empty.log", "# nothing\n");
+    const test::Outcome empty = run("empty.log", "out", map());
+    EXPECT_NE(empty.status, 0);
+    EXPECT_THAT(empty.output, HasSubstr("empty.log"));
+    // The log of the map is another one now.
+    const std::string log = content("first.toml");
+    file("first.toml", log.substr(0, log.find("rate = 2")) + "rate = 1\n");
+    expect(map(), "it was stopped, or the log has changed");
     file("first/config.cfg", "[source]\nmap = 3\n");
     expect(map(), "config.cfg:2");
 }

@@ -1,6 +1,7 @@
 // hitos-cli run: one log in; map, trajectory, pictures and summary out.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -26,7 +27,9 @@
 #include "hitos/base/plural.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/evaluation/reference_fit.hpp"
+#include "hitos/services/results/kept_run.hpp"
 #include "hitos/services/results/optional_outputs.hpp"
 #include "hitos/services/results/results.hpp"
 #include "hitos/services/run/run_worker.hpp"
@@ -88,9 +91,10 @@ void tell_summary(const RunSummary& summary, const std::string& folder, const Re
     if (!summary.distances.empty()) report.say("{}", distance_table(summary.distances));
     if (const auto& figures = summary.quality.registration; figures && figures->scans > 0) {
         const auto closed = std::ranges::count_if(summary.quality.loops, &RunLoop::closed);
-        if (const auto& second = figures->second_tour; second && second->found) {
-            report.say("found in the map after {:.1f} m, at scan {} ({} of this tour)\n",
-                       second->way_m, *second->found + 1, *second->found - second->begin + 1);
+        for (const SecondTour& tour : figures->later_tours) {
+            if (!tour.found) continue;
+            report.say("found in the map after {:.1f} m, at scan {} ({} of its tour)\n", tour.way_m,
+                       *tour.found + 1, *tour.found - tour.begin + 1);
         }
         report.say("{} of {} fitted, {} closed, largest correction {:.2f} m\n",
                    figures->scans - figures->unmatched, plural(figures->scans, "scan"),
@@ -137,6 +141,21 @@ void check_particle(const std::optional<std::size_t>& particle,
         "--grid-of",
         verbatim(fmt::format("found particle {}; {} has {}, numbered from 0 to {}", *particle,
                              configuration.filter.algorithm, count, count - 1)));
+}
+
+/// The map to go on with is made anew of its tour: it is another one where its run had others.
+void tell_other_parameters(const Configuracion& configuration) {
+    if (configuration.source.map.empty()) return;
+    std::vector<std::string> changed;
+    for (const ConfigParameter* parameter :
+         differences(configuration_to_go_on(configuration.source.map), configuration)) {
+        if (!parameter->key.starts_with("source.")) changed.emplace_back(parameter->key);
+    }
+    if (changed.empty()) return;
+    fmt::print(stderr,
+               "the map of {} is made with other parameters than in its run, and is another one: "
+               "{}\n",
+               on_one_line(configuration.source.map), fmt::join(changed, ", "));
 }
 
 /// A long run is not to end with what could be known before it.
@@ -219,6 +238,7 @@ void run(const RunOptions& options) {
     fmt::print(stderr, "{}", suited_words(suited));
     configuration.source.file = source;
     options.source.choose(configuration.source);
+    tell_other_parameters(configuration);
     check_particle(options.grid_of, configuration);
     const std::vector<std::string> also = chosen_outputs(options.write, "--write");
     References references = references_named(options.reference, options.reference_trajectory);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "hitos/base/geometry.hpp"
@@ -39,6 +40,13 @@ struct Fan {
     friend bool operator==(const Fan&, const Fan&) = default;
 };
 
+/// That another tour comes before, in whose map this one begins anywhere.
+struct TourBegin {
+    bool hold = false;          ///< that map stays as it is
+    std::optional<Pose> start;  ///< where about in it the robot begins, as somebody says
+    friend bool operator==(const TourBegin&, const TourBegin&) = default;
+};
+
 /// One scan: the points that were hit, in the ROBOT frame [m] (the sensor frame moved by the
 /// mounting pose where the log gives one), in ray order. Rays without a usable reading leave no
 /// point but end a run of neighbours.
@@ -53,8 +61,8 @@ struct Scan {
     Fan fan;                        ///< count == 0: unknown (normalised logs)
     std::uint64_t line = 0;         ///< 1-based line of the log
     bool carries_odometry = false;  ///< the same line is an odometry reading too
-    bool begins_tour = false;       ///< of a second tour: nobody knows where the robot begins it
-    double delay_s = 0.0;           ///< what was added to the logged stamp (source.scan_delay)
+    std::optional<TourBegin> begins_tour;  ///< where another tour came before
+    double delay_s = 0.0;  ///< what was added to the logged stamp (source.scan_delay)
 
     /// As logged, by the laser's clock: what paths are stamped with.
     double stamp_s() const { return time_s - delay_s; }

@@ -18,7 +18,7 @@
 
 namespace hitos {
 
-/// Of two tours (Scan::begins_tour) the second one, in what the first has seen.
+/// A tour behind another one (Scan::begins_tour), in what was seen before it.
 struct SecondTour {
     std::uint64_t begin = 0;             ///< its first scan
     std::optional<std::uint64_t> found;  ///< the scan at which it was found
@@ -40,7 +40,7 @@ struct RegistrationFigures {
     /// Of the changes by hand, by their places, those that have met nothing to change: refused
     /// loops that nobody has found, scans that have not come.
     std::vector<std::uint64_t> edits_unmet;
-    std::optional<SecondTour> second_tour = {};
+    std::vector<SecondTour> later_tours = {};
 };
 
 /// Takes a tour scan by scan. Deterministic: nothing is drawn at random, one thread works.

@@ -1,10 +1,7 @@
 // Parameters of registration. Where each number comes from: docs/registration.md.
 #pragma once
 
-#include <optional>
 #include <string>
-
-#include "hitos/base/geometry.hpp"
 
 namespace hitos {
 
@@ -24,12 +21,7 @@ struct RegistrationParams {
     double loop_score = 0.6;      ///< least correlation of a loop
     int loops_agree = 3;          ///< searches in a row that must say the same
     int final_passes = 3;         ///< of the whole graph against all scans, at the tour's end
-    bool hold = false;            ///< of two tours the first one's path stays as it is
-    std::string start = {};       ///< "x,y,degrees" where a second tour begins; empty: anywhere
     std::string edits = {};       ///< what is changed by hand, as parse_graph_edits() takes it
 };
-
-/// The pose of that text; nothing where it is empty. Throws ConfigError where it is none.
-std::optional<Pose> start_of(const std::string& text);
 
 }  // namespace hitos

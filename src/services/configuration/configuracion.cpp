@@ -6,9 +6,11 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "hitos/capture/joined_tour.hpp"
 #include "hitos/registration/graph_edit.hpp"
 #include "hitos/slam/filter_parameters.hpp"
 #include "hitos/slam/filters.hpp"
+#include "json_input.hpp"
 #include "parameter_table.hpp"
 
 namespace hitos {
@@ -65,7 +67,13 @@ namespace {
 void check_map(const Configuracion& configuration) {
     const FilterParams& filter = configuration.filter;
     const bool map = !configuration.source.map.empty();
-    static_cast<void>(start_of(configuration.registration.start));  // throws
+    static_cast<void>(start_of(configuration.source.start));  // throws
+    if (!is_utf8(configuration.source.map)) {
+        throw ConfigError("source.map",
+                          HITOS_TEXT("Errors",
+                                     "the folder's name is not UTF-8, as a configuration has to "
+                                     "be; rename it"));
+    }
     if (map && !(needs_registration(filter) && configuration.registration.loops)) {
         throw ConfigError("source.map",
                           HITOS_TEXT("Errors",
@@ -73,8 +81,8 @@ void check_map(const Configuracion& configuration) {
                                      "tour; use preset recorded, or %1 and registration.loops=on"),
                           "motion.model=registered");
     }
-    if (map && configuration.registration.hold && filter.algorithm == "graph-slam") {
-        throw ConfigError("registration.hold",
+    if (map && configuration.source.hold && filter.algorithm == "graph-slam") {
+        throw ConfigError("source.hold",
                           HITOS_TEXT("Errors",
                                      "graph-slam moves every landmark of its graph; use another "
                                      "filter.algorithm to hold a map"));
@@ -106,6 +114,9 @@ void check(const Configuracion& configuration) {
 
 void forget_recording(Configuracion& configuration) {
     configuration.source.read = for_another_recording(configuration.source.read);
+    configuration.source.map.clear();
+    configuration.source.hold = false;
+    configuration.source.start.clear();
     configuration.registration.edits.clear();
 }
 

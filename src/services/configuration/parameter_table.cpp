@@ -43,6 +43,11 @@ ConfigParameter::Condition of_log() {
             [](const Config& configuration) { return !is_world_file(configuration.source.file); }};
 }
 
+ConfigParameter::Condition with_map() {
+    return {"source.map", "the results of a run",
+            [](const Config& configuration) { return !configuration.source.map.empty(); }};
+}
+
 /// What of a log is wrong or not said, and is put right.
 Table mended_source_entries() {
     return {
@@ -203,6 +208,19 @@ Table world_source_entries() {
                         "Folder with the results of a run, whose tour comes before this one: the "
                         "robot, which may begin anywhere in that map, is found in it, and the map "
                         "goes on; empty begins a new one.")}),
+        choice<&Config::source, &SourceParams::hold>(
+            {"source.hold", HITOS_TEXT("ParameterLabel", "Hold the map"),
+             HITOS_TEXT("Parameter",
+                        "Whether the map of the tour before (source.map) stays as it is: the robot "
+                        "is found in it and followed, and nothing is added.")},
+            off_on(), {with_map()}),
+        text<&Config::source, &SourceParams::start>(
+            {"source.start", HITOS_TEXT("ParameterLabel", "Start in the map"),
+             HITOS_TEXT("Parameter",
+                        "Where in the map of the tour before (source.map) this one begins, as "
+                        "x,y,degrees, give or take 3 m and 30 degrees, where places look alike; "
+                        "empty looks for it everywhere.")},
+            {with_map()}),
         text<&Config::source, &SourceParams::world_set>(
             {"source.world_set", HITOS_TEXT("ParameterLabel", "World values"),
              HITOS_TEXT(
@@ -238,11 +256,6 @@ void add_lifted(Table& table, std::span<const Parameter<Part>> parameters, Part 
 void join_layers(Table& table) {
     for (const char* key : {"observation.var_rho", "observation.var_theta"}) {
         at(table, key).conditions.push_back(where(at(table, "observation.covariance"), {"fixed"}));
-    }
-    for (const char* key : {"registration.hold", "registration.start"}) {
-        at(table, key)
-            .conditions.push_back({"source.map", "the results of a run",
-                                   [](const Config& c) { return !c.source.map.empty(); }});
     }
     for (ConfigParameter& parameter : table) {
         if (parameter.table() != "registration") continue;

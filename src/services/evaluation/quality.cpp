@@ -144,7 +144,7 @@ DrivenBy driven_by(const Registration& registration, const Trajectory& odometry)
     const RegistrationFigures figures = registration.figures();
     const std::vector<std::uint64_t>& breaks = figures.breaks;
     for (std::size_t k = 1; k < keys.size(); ++k) {
-        if (figures.second_tour && keys[k].scan == figures.second_tour->begin) continue;
+        if (std::ranges::count(figures.later_tours, keys[k].scan, &SecondTour::begin) > 0) continue;
         const double path_m = distance(keys[k - 1].pose, keys[k].pose);
         const double odometry_m =
             distance(odometry[keys[k - 1].scan].pose, odometry[keys[k].scan].pose);
@@ -172,13 +172,14 @@ void warn_of_scale(const DrivenBy& driven, std::vector<Advice>& warnings) {
 void warn_of_registration(const Registration& registration, const Trajectory& odometry,
                           std::vector<Advice>& warnings) {
     const RegistrationFigures figures = registration.figures();
-    if (figures.second_tour && !figures.second_tour->found) {
+    for (const SecondTour& tour : figures.later_tours) {
+        if (tour.found) continue;
         warn(warnings,
              HITOS_TEXT("Advice",
                         "The tour that begins at scan %1 was not found in the map of the one "
                         "before: it saw too little of it, or only what several places there have "
                         "in common. It lies beside that map."),
-             fmt::format("{}", figures.second_tour->begin + 1));
+             fmt::format("{}", tour.begin + 1));
     }
     const double unmatched = figures.scans > 0 ? static_cast<double>(figures.unmatched) /
                                                      static_cast<double>(figures.scans)

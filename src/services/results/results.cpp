@@ -70,12 +70,12 @@ ordered_json json_of(const RunQuality& quality) {
         json["scans_unmatched"] = figures->unmatched;
         json["scans_breaking"] = ordered_json::array();
         for (const std::uint64_t scan : figures->breaks) json["scans_breaking"].push_back(scan + 1);
-        if (const auto& second = figures->second_tour) {
-            json["second_tour"] = {{"begin", second->begin + 1}};
-            if (second->found) {
-                json["second_tour"]["found"] = *second->found + 1;
-                json["second_tour"]["found_after_m"] = second->way_m;
-            }
+        for (const SecondTour& tour : figures->later_tours) {
+            ordered_json& one = json["later_tours"].emplace_back();
+            one["begin"] = tour.begin + 1;
+            if (!tour.found) continue;
+            one["found"] = *tour.found + 1;
+            one["found_after_m"] = tour.way_m;
         }
         json["key_scans"] = figures->keys;
         json["loops_closed"] = std::ranges::count_if(quality.loops, &RunLoop::closed);
@@ -111,18 +111,20 @@ void state(const RunFigures& figures, ordered_json& json) {
     }
 }
 
-/// Until a second tour is found nobody knows where the robot is in the frame of the first.
+/// Until a later tour is found nobody knows where the robot is in the frame of the first.
 Trajectory known_while_driving(const Algoritmo& run) {
     Trajectory path = run.online_trajectory();
-    const Registration* const registration = run.registration();
-    const auto second =
-        registration == nullptr ? std::nullopt : registration->figures().second_tour;
-    if (!second) return path;
+    if (run.registration() == nullptr) return path;
+    const std::vector<SecondTour> tours = run.registration()->figures().later_tours;
     const auto at = [&](std::uint64_t scan) {
         return path.begin() +
                static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(scan, path.size()));
     };
-    path.erase(at(second->begin), second->found ? at(*second->found) : path.end());
+    std::uint64_t end = path.size();  // of the tour
+    for (auto tour = tours.rbegin(); tour != tours.rend(); ++tour) {
+        path.erase(at(tour->begin), at(tour->found.value_or(end)));
+        end = tour->begin;
+    }
     return path;
 }
 

@@ -156,12 +156,22 @@ const Trajectory& odometry_path(const FinishedRun& finished) {
     return finished.run.odometry_trajectory();
 }
 
-/// A map that is held is that of its own tour alone.
-Grid built(const FinishedRun& finished, Trajectory path) {
+/// The tours behind the first; none where nothing is registered.
+std::vector<SecondTour> later_tours(const FinishedRun& finished) {
     const Registration* const registration = finished.run.registration();
-    const auto second =
-        registration == nullptr ? std::nullopt : registration->figures().second_tour;
-    if (second && finished.run.configuration().registration.hold) path.resize(second->begin);
+    return registration == nullptr ? std::vector<SecondTour>()
+                                   : registration->figures().later_tours;
+}
+
+/// A map that is held is that of its own tour alone.
+std::optional<std::uint64_t> held_scans(const FinishedRun& finished) {
+    const std::vector<SecondTour> tours = later_tours(finished);
+    if (tours.empty() || !finished.run.configuration().source.hold) return std::nullopt;
+    return tours.back().begin;
+}
+
+Grid built(const FinishedRun& finished, Trajectory path) {
+    if (const auto held = held_scans(finished)) path.resize(*held);
     GridBuilder builder(finished.run.configuration().grid, finished.run.reader().reopen(),
                         std::move(path));
     while (builder.step()) end_where_asked(finished);
@@ -296,12 +306,8 @@ std::vector<RunOutput> make_outputs() {
         where(
             [](const Run& r) { return r.run.registration() != nullptr; },
             one_text("loops.csv", [](const Run& r) { return loops_csv(r.summary.quality.loops); })),
-        where(
-            [](const Run& r) {
-                return r.run.registration() != nullptr &&
-                       r.run.registration()->figures().second_tour.has_value();
-            },
-            output({"changes.csv", "changes.png"}, write_changes)),
+        where([](const Run& r) { return !later_tours(r).empty(); },
+              output({"changes.csv", "changes.png"}, write_changes)),
         where([](const Run& r) { return r.references.trajectory.has_value(); },
               output({"paths.png", "paths.gp"}, write_paths)),
         rereading(where([](const Run& r) { return !r.references.walls.empty(); },

@@ -125,7 +125,7 @@ bool Algoritmo::step(AssociationRecord* record) {
 void Algoritmo::begin_second_tour() {
     step_controls_.clear();
     finish(true);
-    state_.held = configuration_.registration.hold;
+    state_.held = state_.scan.begins_tour->hold;
 }
 
 /// What can be done about it.

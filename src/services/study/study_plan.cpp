@@ -120,6 +120,7 @@ void check_effect(const Configuracion& base, const StudyPlan& plan) {
 std::string digest_of(const Study& study, const StudyPlan& plan, const std::string& program) {
     Configuracion base = study.configuration;
     base.source.file.clear();  // the content counts, not the place
+    base.source.map.clear();
     base.run = {};
     Digest digest;
     digest.add(version()).add(program).add(ArchivoConfiguracion::to_text(base)).add(study.setting);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "hitos/base/error.hpp"
 #include "hitos/capture/recorded_tour.hpp"
 
 namespace hitos {
@@ -51,11 +52,12 @@ Both read_all(TourReader& tour, bool odometry_first) {
 TEST(JoinedTour, PutsTheSecondTourBehindTheFirst) {
     for (const bool odometry_first : {false, true}) {
         // The first is over at 104.3 s, by its odometry, the second begins at 2.8 s.
-        const auto tour = make_joined_tour(tour_from(100.0, 2), tour_from(3.0, 1));
+        const auto tour = make_joined_tour({tour_from(100.0, 2)}, tour_from(3.0, 1));
         const Both read = read_all(*tour, odometry_first);
         ASSERT_EQ(read.scans.size(), 10U);
         ASSERT_EQ(read.odometry.size(), 20U);
-        for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(read.scans[i].begins_tour, i == 5);
+        for (std::size_t i = 0; i < 10; ++i)
+            EXPECT_EQ(read.scans[i].begins_tour.has_value(), i == 5);
         EXPECT_EQ(read.scans[4].time_s, 104.0);
         EXPECT_EQ(read.scans[5].time_s, 105.0) << "whole seconds later";
         EXPECT_NEAR(read.odometry[10].time_s, 104.8, 1e-9);
@@ -75,22 +77,43 @@ TEST(JoinedTour, PutsTheSecondTourBehindTheFirst) {
 }
 
 TEST(JoinedTour, LeavesStampsThatGoOnAsTheyAre) {
-    const auto tour = make_joined_tour(tour_from(100.0, 0), tour_from(1000.5, 0));
+    const auto tour = make_joined_tour({tour_from(100.0, 0)}, tour_from(1000.5, 0));
     const Both read = read_all(*tour, false);
     EXPECT_EQ(read.scans[5].time_s, 1000.5);
     EXPECT_EQ(read.scans[5].stamp_s(), 1000.5);
 }
 
 TEST(JoinedTour, OfThreeToursTheLastTwoBegin) {
-    const auto tour =
-        make_joined_tour(make_joined_tour(tour_from(1, 0), tour_from(2, 0)), tour_from(3, 0));
+    const TourBegin begin{true, Pose{1, 2, 3}};
+    const auto tour = make_joined_tour(
+        {make_joined_tour({tour_from(1, 0)}, tour_from(2, 0), begin)}, tour_from(3, 0));
     const Both read = read_all(*tour, true);
     ASSERT_EQ(read.scans.size(), 15U);
     for (std::size_t i = 0; i < 15; ++i) {
-        EXPECT_EQ(read.scans[i].begins_tour, i == 5 || i == 10) << i;
+        EXPECT_EQ(read.scans[i].begins_tour.has_value(), i == 5 || i == 10) << i;
         if (i == 0) continue;
         EXPECT_GT(read.scans[i].time_s, read.scans[i - 1].time_s);
     }
+    EXPECT_EQ(read.scans[5].begins_tour, begin);
+    EXPECT_EQ(read.scans[10].begins_tour, TourBegin());
+}
+
+TEST(JoinedTour, RefusesAFirstTourThatIsAnotherAndASecondWithoutScans) {
+    EXPECT_EQ(read_all(*make_joined_tour({tour_from(1, 0), "run", 5}, tour_from(9, 0)), true)
+                  .scans.size(),
+              10U);
+    const auto other = make_joined_tour({tour_from(1, 0), "run", 4}, tour_from(9, 0));
+    EXPECT_THROW(read_all(*other, true), FileError);
+    const auto empty = make_joined_tour(
+        {tour_from(1, 0)}, std::make_unique<RecordedReader>(std::make_shared<RecordedTour>()));
+    EXPECT_THROW(read_all(*empty, true), FormatError);
+}
+
+TEST(JoinedTour, StartsAtAPoseOrAnywhere) {
+    EXPECT_FALSE(start_of(" "));
+    EXPECT_EQ(start_of("1, -2.5,90").value(), Pose({1.0, -2.5, 90.0 * kRadiansPerDegree}));
+    for (const char* wrong : {"1,2", "1,2,3,4", "1,2,x", "1,2,nan", "1e9,0,0", "here"})
+        EXPECT_THROW(static_cast<void>(start_of(wrong)), ConfigError) << wrong;
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "hitos/base/error.hpp"
 #include "ring_tour.hpp"
 
 namespace hitos {
@@ -26,7 +25,8 @@ struct TwoTours {
 };
 
 TwoTours two_tours(const Walls& first, const Walls& second, std::size_t put_down,
-                   const RegistrationParams& params, const std::vector<Point2>& way = kRing) {
+                   const TourBegin& begin, const RegistrationParams& params = {}) {
+    const std::vector<Point2>& way = kRing;
     TwoTours tours{round_tour(way, 1), 0, {}, Registration{params}};
     tours.begin = tours.truth.size();
     const std::vector<Pose> again = round_tour(way, 2);
@@ -44,7 +44,7 @@ TwoTours two_tours(const Walls& first, const Walls& second, std::size_t put_down
         }
         Scan scan =
             test::drawn_scan(i < tours.begin ? first : second, tours.truth[i], 0.005, &engine);
-        scan.begins_tour = begins;
+        if (begins) scan.begins_tour = begin;
         tours.registration.add(scan, controls);
     }
     tours.registration.finish();
@@ -52,7 +52,7 @@ TwoTours two_tours(const Walls& first, const Walls& second, std::size_t put_down
 }
 
 SecondTour second_of(const TwoTours& tours) {
-    return tours.registration.figures().second_tour.value();
+    return tours.registration.figures().later_tours.at(0);
 }
 
 TEST(SecondTour, IsFoundAndGoesOnWithTheMap) {
@@ -74,9 +74,7 @@ TEST(SecondTour, IsFoundAndGoesOnWithTheMap) {
 }
 
 TEST(SecondTour, LeavesAMapThatIsHeldToTheLastBit) {
-    RegistrationParams params;
-    params.hold = true;
-    const TwoTours tours = two_tours(ring_walls(), ring_walls(), 35, params);
+    const TwoTours tours = two_tours(ring_walls(), ring_walls(), 35, {true, {}});
     ASSERT_TRUE(second_of(tours).found);
     const std::vector<Pose> path = tours.registration.path();
     for (std::size_t i = 0; i < tours.begin; ++i) EXPECT_EQ(path[i], tours.first_path[i]) << i;
@@ -118,15 +116,12 @@ TEST(SecondTour, IsFoundInOneOfTwoPlacesThatAreAlikeWhereSomebodySaysInWhich) {
     const Walls walls = ring_of_two_halves();
     EXPECT_FALSE(second_of(two_tours(walls, walls, 20, {})).found);
     const Pose begin = round_tour(kRing, 1)[20];
-    RegistrationParams params;
-    params.start = fmt::format("{},{},{}", begin.x + 1.5, begin.y - 1.0,
-                               begin.theta * kDegreesPerRadian + 15.0);
-    const TwoTours here = two_tours(walls, walls, 20, params);
+    const Pose about{begin.x + 1.5, begin.y - 1.0, begin.theta + 0.26};
+    const TwoTours here = two_tours(walls, walls, 20, {false, about});
     ASSERT_TRUE(second_of(here).found);
     EXPECT_LT(greatest_path_error(here.registration.path(), here.truth), 0.15);
-    params.start = fmt::format("{},{},{}", 14.0 - begin.x, 10.0 - begin.y,
-                               begin.theta * kDegreesPerRadian + 180.0);
-    const TwoTours there = two_tours(walls, walls, 20, params);
+    const Pose opposite{14.0 - begin.x, 10.0 - begin.y, wrap_angle(begin.theta + kPi)};
+    const TwoTours there = two_tours(walls, walls, 20, {false, opposite});
     ASSERT_TRUE(second_of(there).found);
     EXPECT_GT(greatest_path_error(there.registration.path(), there.truth), 10.0);
 }
@@ -138,7 +133,7 @@ TEST(SecondTour, IsLaidWhereSomebodySaysThatAScanIs) {
     const Pose fixed = round_tour(kRing, 2)[20 + 9];
     params.edits =
         fmt::format("fix {} {} {} {}", begin + 10, fixed.x, fixed.y, wrap_angle(fixed.theta));
-    const TwoTours tours = two_tours(walls, walls, 20, params);
+    const TwoTours tours = two_tours(walls, walls, 20, {}, params);
     EXPECT_EQ(second_of(tours).found, begin + 9);
     EXPECT_LT(greatest_path_error(tours.registration.path(), tours.truth), 0.15);
 }
@@ -159,13 +154,6 @@ TEST(SecondTour, TellsWhatIsGoneAndWhatIsNew) {
         EXPECT_NEAR(bounds.high.x, 9.5, 0.3);
         EXPECT_NEAR(bounds.high.y, -0.5, 0.2);
     }
-}
-
-TEST(SecondTour, StartsAtAPoseOrAnywhere) {
-    EXPECT_FALSE(start_of(" "));
-    EXPECT_EQ(start_of("1, -2.5,90").value(), Pose({1.0, -2.5, 90.0 * kRadiansPerDegree}));
-    for (const char* wrong : {"1,2", "1,2,3,4", "1,2,x", "1,2,nan", "1e9,0,0", "here"})
-        EXPECT_THROW(static_cast<void>(start_of(wrong)), ConfigError) << wrong;
 }
 
 }  // namespace

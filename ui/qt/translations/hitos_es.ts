@@ -3090,6 +3090,14 @@
         <source>holds no results of a run (no config.cfg); expected the folder that a run of the first tour has written</source>
         <translation>no tiene resultados de una ejecución (no hay config.cfg); se esperaba la carpeta que ha escrito una ejecución del primer recorrido</translation>
     </message>
+    <message>
+        <source>holds the results of %1 scans, and its log %2 has %3: it was stopped, or the log has changed; run it again</source>
+        <translation>tiene los resultados de %1 barridos, y su registro %2 tiene %3: se detuvo, o el registro ha cambiado; ejecútelo de nuevo</translation>
+    </message>
+    <message>
+        <source>the folder&apos;s name is not UTF-8, as a configuration has to be; rename it</source>
+        <translation>el nombre de la carpeta no es UTF-8, como tiene que ser una configuración; cámbielo</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>

@@ -151,6 +151,7 @@ void LiveDrive::map(const QString& path) {
     configuration.source.file = path.toStdString();
     configuration.source.world_set.clear();
     configuration.source.tour_seed = 0;
+    configuration.source.map.clear();  // it begins a tour of its own
     session_.set_configuration(configuration);
     session_.run();
 }

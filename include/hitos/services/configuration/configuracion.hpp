@@ -22,7 +22,9 @@ struct SourceParams {
     /// the run.
     std::uint64_t tour_seed = 0;
     std::string world_set = {};  ///< changes of a world's values: "laser.sigma=0.003 tour.laps=2"
-    std::string map = {};  ///< results of the run whose tour comes before this one; empty: none
+    std::string map = {};    ///< results of the run whose tour comes before this one; empty: none
+    bool hold = false;       ///< that map stays as it is
+    std::string start = {};  ///< "x,y,degrees" where in that map it begins; empty: anywhere
     friend bool operator==(const SourceParams&, const SourceParams&) = default;
 };
 

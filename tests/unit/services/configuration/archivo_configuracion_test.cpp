@@ -97,7 +97,7 @@ TEST(ArchivoConfiguracion, TextReadsBackToTheLastBit) {
         c.grid.max_range_m = 100.0;
         c.filter.association.new_probability = 0.9999995;
         c.registration.edits = "slip 7\n# a comment\nrefuse 9@1.5 3";
-        c.registration.start = "1, -2.5,90";
+        c.source.start = "1, -2.5,90";
         c.source.map.clear();
         const std::string text = ArchivoConfiguracion::to_text(c);
         const Configuracion back = ArchivoConfiguracion::parse(text, "x");

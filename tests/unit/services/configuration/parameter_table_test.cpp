@@ -126,9 +126,9 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
                  "landmarks.miss",
                  "landmarks.limit",
                  "landmarks.probation_scans",
-                 "registration.hold",
-                 "registration.start",
                  "resampling.neff_threshold",
+                 "source.hold",
+                 "source.start",
                  "source.tour_seed",
                  "source.world_set"};
     for (const Keys& keys : {rates, ratios, registered, registration, points, ransac})
@@ -139,9 +139,7 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
     EXPECT_EQ(idle_with({"motion.model=increments"}), with(idle, sigmas, ratios));
     EXPECT_EQ(idle_with({"motion.model=registered"}),
               with(with(idle, sigmas, registered), {}, registration));
-    EXPECT_EQ(idle_with({"motion.model=registered", "source.map=a run"}),
-              with(with(idle, sigmas, registered), {},
-                   with(registration, {"registration.hold", "registration.start"}, {})));
+    EXPECT_EQ(idle_with({"source.map=a run"}), with(idle, {}, {"source.hold", "source.start"}));
     EXPECT_EQ(
         idle_with({"motion.model=registered", "registration.loops=off"}),
         with(with(idle, sigmas, registered), {},
@@ -260,6 +258,8 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.source.tour_seed = 43;
     c.source.world_set = "laser.sigma=0.003";
     c.source.map = "a run";
+    c.source.hold = true;
+    c.source.start = "1,2,30";
     c.run = {42, 3};
     c.filter.algorithm = "ekf-slam";
     c.filter.particles = 77;
@@ -290,8 +290,8 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.extraction.corner_distance_m = 0.59;
     c.extraction.corner_angle_rad = 0.5;
     c.extraction.corner_lines = CornerLines::fitted;
-    c.registration = {1.81,  82,    0.83, 0.84, 0.85, 0.86, false,    false,
-                      false, false, 0.87, 8,    89,   true, "1,2,30", "slip 5; refuse 9 2"};
+    c.registration = {1.81,  82,    0.83,  0.84, 0.85, 0.86, false,
+                      false, false, false, 0.87, 8,    89,   "slip 5; refuse 9 2"};
     c.grid = {0.61, 0.62, -0.63, 6.4, 6.5, PathMarks::cross_and_ring};
     const std::map<std::string_view, std::string> expected = {
         {"source.file", "a.log"},
@@ -317,6 +317,8 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"source.tour_seed", "43"},
         {"source.world_set", "laser.sigma=0.003"},
         {"source.map", "a run"},
+        {"source.hold", "on"},
+        {"source.start", "1,2,30"},
         {"run.seed", "42"},
         {"run.threads", "3"},
         {"filter.algorithm", "ekf-slam"},
@@ -351,8 +353,6 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"registration.loop_score", "0.87"},
         {"registration.loops_agree", "8"},
         {"registration.final_passes", "89"},
-        {"registration.hold", "on"},
-        {"registration.start", "1,2,30"},
         {"registration.edits", "slip 5; refuse 9 2"},
         {"motion.model", "proportional"},
         {"motion.unit", "variance"},
