@@ -200,21 +200,7 @@ TEST(Registration, FindsARobotThatWasCarried) {
 }
 
 TEST(Registration, IsNotFoundInOneOfTwoPlacesThatAreAlike) {
-    // Half a turn takes this ring onto itself; the recess tells its corners from its sides.
-    Walls walls = test::closed({{-1, -1},
-                                {6, -1},
-                                {6, -2},
-                                {8, -2},
-                                {8, -1},
-                                {15, -1},
-                                {15, 11},
-                                {8, 11},
-                                {8, 12},
-                                {6, 12},
-                                {6, 11},
-                                {-1, 11}});
-    const Walls block = test::closed({{1, 1}, {13, 1}, {13, 9}, {1, 9}});
-    walls.insert(walls.end(), block.begin(), block.end());
+    const Walls walls = test::ring_of_two_halves();
     const Carried carried = carried_to(walls, kRing, 20);
     ASSERT_FALSE(carried.registration.figures().breaks.empty());
     const std::vector<LoopRecord>& refused = carried.registration.refused_loops();

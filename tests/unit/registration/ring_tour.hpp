@@ -71,6 +71,25 @@ inline Walls ring_walls() {
     return walls;
 }
 
+/// Half a turn takes this ring onto itself; the recess tells its corners from its sides.
+inline Walls ring_of_two_halves() {
+    Walls walls = closed({{-1, -1},
+                          {6, -1},
+                          {6, -2},
+                          {8, -2},
+                          {8, -1},
+                          {15, -1},
+                          {15, 11},
+                          {8, 11},
+                          {8, 12},
+                          {6, 12},
+                          {6, 11},
+                          {-1, 11}});
+    const Walls block = closed({{1, 1}, {13, 1}, {13, 9}, {1, 9}});
+    walls.insert(walls.end(), block.begin(), block.end());
+    return walls;
+}
+
 inline const std::vector<Point2> kRing{{0, 0}, {14, 0}, {14, 10}, {0, 10}};
 
 struct Driven {

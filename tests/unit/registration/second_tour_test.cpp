@@ -13,6 +13,7 @@ namespace {
 
 using test::greatest_path_error;
 using test::kRing;
+using test::ring_of_two_halves;
 using test::ring_walls;
 using test::round_tour;
 
@@ -91,25 +92,6 @@ TEST(SecondTour, LiesBesideTheMapWhereItIsOfAnotherPlace) {
     for (std::size_t i = tours.begin; i < path.size(); ++i)
         EXPECT_GT(path[i].x, furthest + 50.0) << i;
     EXPECT_TRUE(tours.registration.changes().empty());
-}
-
-/// Half a turn takes this ring onto itself.
-Walls ring_of_two_halves() {
-    Walls walls = test::closed({{-1, -1},
-                                {6, -1},
-                                {6, -2},
-                                {8, -2},
-                                {8, -1},
-                                {15, -1},
-                                {15, 11},
-                                {8, 11},
-                                {8, 12},
-                                {6, 12},
-                                {6, 11},
-                                {-1, 11}});
-    const Walls block = test::closed({{1, 1}, {13, 1}, {13, 9}, {1, 9}});
-    walls.insert(walls.end(), block.begin(), block.end());
-    return walls;
 }
 
 TEST(SecondTour, IsFoundInOneOfTwoPlacesThatAreAlikeWhereSomebodySaysInWhich) {
