@@ -108,7 +108,7 @@ void Registration::Impl::begin_second_tour(std::uint64_t scan, const TourBegin& 
     const std::size_t first = graph_.size() - 1;
     graph_.cut(first);
     carried_.push_back({first, first, scan, travelled_m_, true, begin.start});
-    figures_.later_tours.push_back({scan, std::nullopt, 0.0});
+    figures_.later_tours.push_back({scan, std::nullopt, 0.0, scan});
     if (begin.hold) held_ = first;
     // It holds the tour where it lies, for whoever solves the graph, and goes when it is found.
     const auto from = static_cast<std::uint32_t>(first - 1);
@@ -122,6 +122,7 @@ void Registration::Impl::note_found(const CarriedPiece& piece, std::uint64_t sca
     for (SecondTour& tour : figures_.later_tours) {
         if (tour.begin != piece.scan || tour.found) continue;
         tour.found = scan;
+        tour.laid_from = carried_.back().scan;
         tour.way_m = travelled_m_ - graph_.scans[piece.first].travelled_m;
     }
 }

@@ -23,6 +23,8 @@ struct SecondTour {
     std::uint64_t begin = 0;             ///< its first scan
     std::optional<std::uint64_t> found;  ///< the scan at which it was found
     double way_m = 0.0;                  ///< driven until then
+    /// Its first scan that was laid in the map: behind a break, what comes before lies beside it.
+    std::uint64_t laid_from = 0;
 };
 
 /// What a run may be trusted for, without any truth.

@@ -173,6 +173,13 @@ void warn_of_registration(const Registration& registration, const Trajectory& od
                           std::vector<Advice>& warnings) {
     const RegistrationFigures figures = registration.figures();
     for (const SecondTour& tour : figures.later_tours) {
+        if (tour.found && tour.laid_from != tour.begin) {
+            warn(warnings,
+                 HITOS_TEXT("Advice",
+                            "Of a tour that was found in the map of the one before, what comes "
+                            "before a break in it (scan %1) was not: it lies beside that map."),
+                 fmt::format("{}", tour.laid_from + 1));
+        }
         if (tour.found) continue;
         warn(warnings,
              HITOS_TEXT("Advice",

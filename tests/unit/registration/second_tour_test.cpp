@@ -120,6 +120,44 @@ TEST(SecondTour, IsLaidWhereSomebodySaysThatAScanIs) {
     EXPECT_LT(greatest_path_error(tours.registration.path(), tours.truth), 0.15);
 }
 
+TEST(SecondTour, IsFoundBehindABreakWhereItBeginsElsewhere) {
+    const Walls hall = test::closed({{-3, -3}, {17, -3}, {17, 13}, {9, 13}, {9, 8}, {-3, 8}});
+    std::vector<Pose> truth = round_tour(kRing, 1);
+    const std::size_t begin = truth.size();
+    const std::vector<Pose> ring = round_tour(kRing, 2);
+    constexpr std::size_t kInHall = 25;
+    truth.insert(truth.end(), ring.begin(), ring.begin() + kInHall);
+    truth.insert(truth.end(), ring.begin() + 60, ring.end());
+    Registration registration{RegistrationParams{}};
+    std::mt19937 engine(9);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        const bool in_hall = i >= begin && i < begin + kInHall;
+        std::vector<Control> controls;
+        if (i > 0 && i != begin) {
+            const bool carried = i == begin + kInHall;
+            controls.push_back(carried ? Control{twist_between({0.05, 0.0, 0.0}, 1.0), 1.0}
+                                       : test::control_between(truth[i - 1], truth[i]));
+        }
+        Scan scan = test::drawn_scan(in_hall ? hall : ring_walls(), truth[i], 0.005, &engine);
+        if (i == begin) scan.begins_tour.emplace();
+        registration.add(scan, controls);
+    }
+    const SecondTour second = registration.figures().later_tours.at(0);
+    ASSERT_TRUE(second.found);
+    EXPECT_EQ(second.laid_from, begin + kInHall);
+    EXPECT_LT(registration.figures().largest_correction_m, 1.0);
+    const std::vector<Pose> path = registration.path();
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const Pose at = compose(truth.front(), path[i]);
+        const double off = std::hypot(at.x - truth[i].x, at.y - truth[i].y);
+        if (i >= begin && i < begin + kInHall) {
+            EXPECT_GT(off, 50.0) << i;
+        } else {
+            EXPECT_LT(off, 0.2) << i;
+        }
+    }
+}
+
 TEST(SecondTour, TellsWhatIsGoneAndWhatIsNew) {
     Walls later = ring_walls();
     const Walls box = test::closed({{8.0, -1.0}, {8.0, -0.5}, {9.5, -0.5}, {9.5, -1.0}});

@@ -91,6 +91,10 @@
         <source>The tour that begins at scan %1 was not found in the map of the one before: it saw too little of it, or only what several places there have in common. It lies beside that map.</source>
         <translation>El recorrido que empieza en el barrido %1 no se ha encontrado en el mapa del anterior: vio demasiado poco de él, o solo lo que varios sitios de allí tienen en común. Queda junto a ese mapa.</translation>
     </message>
+    <message>
+        <source>Of a tour that was found in the map of the one before, what comes before a break in it (scan %1) was not: it lies beside that map.</source>
+        <translation>De un recorrido que se encontró en el mapa del anterior, lo que viene antes de una ruptura en él (barrido %1) no se encontró: queda junto a ese mapa.</translation>
+    </message>
 </context>
 <context>
     <name>Associations</name>
