@@ -18,11 +18,11 @@ std::unique_ptr<TourReader> tour_from(double begin_s, std::uint64_t skipped) {
     for (int i = 0; i < 5; ++i) {
         Scan scan;
         scan.time_s = begin_s + i;
-        scan.line = static_cast<std::uint64_t>(3 * i + 3);
+        scan.line = 3 * static_cast<std::uint64_t>(i) + 3;
         tour->scans.items.push_back(scan);
     }
     for (int i = 0; i < 10; ++i) {
-        const auto line = static_cast<std::uint64_t>(i + 1);
+        const std::uint64_t line = static_cast<std::uint64_t>(i) + 1;
         tour->odometry.items.push_back({begin_s - 0.2 + 0.5 * i, {0.1 * i, 0.0, 0.0}, line});
     }
     ReadReport report;
