@@ -113,19 +113,17 @@ void state(const RunFigures& figures, ordered_json& json) {
 
 /// Until a later tour is found nobody knows where the robot is in the frame of the first.
 Trajectory known_while_driving(const Algoritmo& run) {
-    Trajectory path = run.online_trajectory();
+    const Trajectory& path = run.online_trajectory();
     if (run.registration() == nullptr) return path;
-    const std::vector<SecondTour> tours = run.registration()->figures().later_tours;
-    const auto at = [&](std::uint64_t scan) {
-        return path.begin() +
-               static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(scan, path.size()));
-    };
-    std::uint64_t end = path.size();  // of the tour
-    for (auto tour = tours.rbegin(); tour != tours.rend(); ++tour) {
-        path.erase(at(tour->begin), at(tour->found.value_or(end)));
-        end = tour->begin;
+    const RegistrationFigures figures = run.registration()->figures();
+    Trajectory known;
+    for (std::uint64_t scan = 0; scan < path.size(); ++scan) {
+        const SecondTour* tour = nullptr;  // that it is of
+        for (const SecondTour& one : figures.later_tours)
+            if (one.begin <= scan) tour = &one;
+        if (tour == nullptr || (tour->found && *tour->found <= scan)) known.push_back(path[scan]);
     }
-    return path;
+    return known;
 }
 
 /// Of a path of the run; there is a reference.
