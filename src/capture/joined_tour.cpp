@@ -4,12 +4,11 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "laser_pose.hpp"
 
 namespace hitos {
 namespace {
@@ -161,20 +160,17 @@ class JoinedTour final : public TourReader {
 
 std::optional<Pose> start_of(const std::string& text) {
     if (input::trimmed(text).empty()) return std::nullopt;
-    const std::vector<std::string_view> words = input::listed(text);
-    std::vector<double> numbers;
-    for (const std::string_view word : words) {
-        const std::optional<double> number = input::parse_number(word);
-        if (number && std::abs(*number) < 1e6) numbers.push_back(*number);
-    }
-    if (numbers.size() != 3 || words.size() != 3) {
+    constexpr double kMost = 1e6;  // [m], and degrees
+    const std::optional<PoseWords> said = pose_words(input::listed(text));
+    if (!said ||
+        !(std::max({std::abs(said->x), std::abs(said->y), std::abs(said->degrees)}) < kMost)) {
         throw ConfigError("source.start",
                           HITOS_TEXT("Errors",
                                      "found \"%1\", expected a pose in the map as "
                                      "\"x,y,degrees\", in metres"),
                           text);
     }
-    return Pose{numbers[0], numbers[1], wrap_angle(numbers[2] * kRadiansPerDegree)};
+    return said->pose();
 }
 
 std::unique_ptr<TourReader> make_joined_tour(FirstTour first, std::unique_ptr<TourReader> second,

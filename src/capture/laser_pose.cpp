@@ -12,8 +12,18 @@
 
 namespace hitos {
 
+std::optional<PoseWords> pose_words(std::span<const std::string_view> words) {
+    std::array<double, 3> numbers{};
+    if (words.size() != numbers.size()) return std::nullopt;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const std::optional<double> number = input::parse_number(words[i]);
+        if (!number || !std::isfinite(*number)) return std::nullopt;
+        numbers.at(i) = *number;
+    }
+    return PoseWords{numbers[0], numbers[1], numbers[2]};
+}
+
 std::optional<LaserPose> laser_pose_of(std::string_view text) {
-    constexpr std::size_t kNumbers = 3;
     constexpr double kFarthest = 100.0;  // no robot is larger
     if (input::trimmed(text).empty()) return std::nullopt;
     const auto refuse = [&] {
@@ -24,19 +34,13 @@ std::optional<LaserPose> laser_pose_of(std::string_view text) {
                                       "the left) or \"x,y,degrees,upside-down\""),
                            text);
     };
-    const std::vector<std::string_view> words = input::listed(text);
+    std::vector<std::string_view> words = input::listed(text);
     LaserPose found;
-    found.upside_down = words.size() == kNumbers + 1 && words.back() == "upside-down";
-    if (words.size() != kNumbers + (found.upside_down ? 1 : 0)) throw refuse();
-    std::array<double, kNumbers> numbers{};
-    for (std::size_t i = 0; i < kNumbers; ++i) {
-        const std::optional<double> number = input::parse_number(words[i]);
-        if (!number || !std::isfinite(*number)) throw refuse();
-        numbers.at(i) = *number;
-    }
-    const auto [x, y, degrees] = numbers;
-    if (std::hypot(x, y) > kFarthest) throw refuse();
-    found.pose_robot_laser = {x, y, wrap_angle(degrees * kRadiansPerDegree)};
+    found.upside_down = words.size() == 4 && words.back() == "upside-down";
+    if (found.upside_down) words.pop_back();
+    const std::optional<PoseWords> said = pose_words(words);
+    if (!said || std::hypot(said->x, said->y) > kFarthest) throw refuse();
+    found.pose_robot_laser = said->pose();
     return found;
 }
 

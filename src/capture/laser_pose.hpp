@@ -2,12 +2,24 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "hitos/base/geometry.hpp"
 
 namespace hitos {
+
+/// A pose as users say it.
+struct PoseWords {
+    double x;  ///< [m]
+    double y;  ///< [m]
+    double degrees;
+
+    Pose pose() const { return {x, y, wrap_angle(degrees * kRadiansPerDegree)}; }
+};
+/// Of three words that are finite numbers; nothing of others.
+std::optional<PoseWords> pose_words(std::span<const std::string_view> words);
 
 struct LaserPose {
     Pose pose_robot_laser;     ///< [m], [rad]

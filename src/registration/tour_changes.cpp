@@ -1,4 +1,5 @@
 // What is gone and what is new where a second tour was found in the map of the first.
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -113,8 +114,9 @@ void note_changes(const Side& seen_by, const Side& not_by, bool gone,
 std::vector<ChangedPlace> Registration::Impl::changes() const {
     std::vector<ChangedPlace> changes;
     if (figures_.later_tours.empty() || !figures_.later_tours.back().found) return changes;
-    std::size_t first = 0;
-    while (graph_.poses[first].scan < figures_.later_tours.back().begin) ++first;
+    const auto begin = std::ranges::lower_bound(graph_.poses, figures_.later_tours.back().begin, {},
+                                                &KeyPose::scan);
+    const auto first = static_cast<std::size_t>(begin - graph_.poses.begin());
     const Side before = side_of(graph_, 0, first);
     const Side since = side_of(graph_, first, graph_.size());
     note_changes(before, since, true, changes);

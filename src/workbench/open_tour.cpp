@@ -45,19 +45,32 @@ struct Map {
     Configuracion configuration;  // of the run that made it
 };
 
-/// The map that a folder of results holds. Of a run that has held another one it is that one.
+std::filesystem::path configuration_file(const std::string& folder) {
+    return std::filesystem::path(folder) / "config.cfg";
+}
+
+/// Of the run that has written a folder of results.
+Configuracion configuration_in(const std::string& folder) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(configuration_file(folder), ignored)) {
+        throw FileError(folder, HITOS_TEXT("Errors",
+                                           "holds no results of a run (no config.cfg); "
+                                           "expected the folder that a run of the first tour "
+                                           "has written"));
+    }
+    return ArchivoConfiguracion::read(configuration_file(folder));
+}
+
+/// Whether a run held another one's map, which then is what its folder stands for.
+bool held_another(const SourceParams& source) {
+    return source.hold && !source.map.empty();
+}
+
+/// The map that a folder of results stands for.
 Map map_in(std::string folder) {
     for (int maps = 0; maps < kMostMaps; ++maps) {
-        const std::filesystem::path file = std::filesystem::path(folder) / "config.cfg";
-        std::error_code ignored;
-        if (!std::filesystem::exists(file, ignored)) {
-            throw FileError(folder, HITOS_TEXT("Errors",
-                                               "holds no results of a run (no config.cfg); "
-                                               "expected the folder that a run of the first tour "
-                                               "has written"));
-        }
-        Map map{folder, ArchivoConfiguracion::read(file)};
-        if (map.configuration.source.map.empty() || !map.configuration.source.hold) return map;
+        Map map{folder, configuration_in(folder)};
+        if (!held_another(map.configuration.source)) return map;
         folder = map.configuration.source.map;
     }
     throw endless(folder);
@@ -123,11 +136,9 @@ std::vector<std::filesystem::path> tour_files(const SourceParams& source) {
     std::vector<std::filesystem::path> files = tour_files(source.file);
     std::string folder = source.map;
     for (int maps = 0; !folder.empty() && maps < kMostMaps; ++maps) {
-        const std::filesystem::path file = std::filesystem::path(folder) / "config.cfg";
-        static_cast<void>(map_in(folder));  // throws
-        const SourceParams before = ArchivoConfiguracion::read(file).source;
-        files.push_back(file);
-        if (!before.hold || before.map.empty()) {  // else its own tour is not in the map
+        const SourceParams before = configuration_in(folder).source;
+        files.push_back(configuration_file(folder));
+        if (!held_another(before)) {  // else its own tour is not in the map
             for (std::filesystem::path& log : tour_files(before.file))
                 files.push_back(std::move(log));
         }

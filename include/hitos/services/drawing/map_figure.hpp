@@ -39,8 +39,8 @@ inline constexpr double kFigureSigmas = 2.0;
 /// A figure of at most 85 mm unless its style says otherwise, the width of a column, with letters
 /// of 7 points: segments, corners, the regions that hold kFigureSigmas of each (map_shapes()), the
 /// path with its two ends, the odometry as far as it is in the frame, what of two tours is gone and
-/// what is new; axes in metres, a legend
-/// below them and a scale bar. Throws Error for what map_shapes() does.
+/// what is new; axes in metres, a legend below them and a scale bar. Throws Error for what
+/// map_shapes() does.
 VectorDrawing map_figure(const MapFigureContent& content);
 
 }  // namespace hitos
