@@ -11,12 +11,6 @@ namespace {
 
 constexpr double kBeside = 5.0;  // [m] of way, as wide as what is searched for
 
-/// The key at a scan, else the last one before it; the graph has one.
-std::size_t key_at(const KeyGraph& graph, std::uint64_t scan) {
-    const auto after = std::ranges::upper_bound(graph.poses, scan, {}, &KeyPose::scan);
-    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, after - graph.poses.begin())) - 1;
-}
-
 }  // namespace
 
 GraphEditor::GraphEditor(std::vector<GraphEdit> edits)
@@ -92,8 +86,8 @@ std::vector<GraphEdit> GraphEditor::of_newest(const KeyGraph& graph) {
 bool GraphEditor::names(const GraphEdit& edit, const KeyGraph& graph, const LoopFound& loop) {
     if (edit.kind != GraphEdit::Kind::refuse || loop.record.scan < edit.scan.scan) return false;
     const auto way_m = [&](std::size_t key) { return graph.scans[key].travelled_m; };
-    return way_m(graph.size() - 1) - way_m(key_at(graph, edit.scan.scan)) <= kBeside &&
-           std::abs(way_m(loop.key) - way_m(key_at(graph, edit.earlier.scan))) <= kBeside;
+    return way_m(graph.size() - 1) - way_m(graph.key_at(edit.scan.scan)) <= kBeside &&
+           std::abs(way_m(loop.key) - way_m(graph.key_at(edit.earlier.scan))) <= kBeside;
 }
 
 std::optional<std::uint64_t> GraphEditor::refuses(const KeyGraph& graph, const LoopFound& loop) {

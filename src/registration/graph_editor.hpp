@@ -20,7 +20,7 @@ class GraphEditor {
 
     /// What has been met stays met where it is among the new ones.
     void replace(std::vector<GraphEdit> edits);
-    bool empty() const { return edits_.empty(); }
+    const std::vector<GraphEdit>& edits() const { return edits_; }
     /// Throws ConfigError where a change names the scan with another stamp.
     void check(std::uint64_t number, const Scan& scan) const;
     /// Throws ConfigError where a change names a scan that a tour of so many has not.

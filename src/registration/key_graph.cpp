@@ -43,6 +43,11 @@ std::size_t KeyGraph::part_begin(std::size_t key) const {
     return after == cuts_.begin() ? 0 : *std::prev(after);
 }
 
+std::size_t KeyGraph::key_at(std::uint64_t scan) const {
+    const auto after = std::ranges::upper_bound(poses, scan, {}, &KeyPose::scan);
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, after - poses.begin())) - 1;
+}
+
 void KeyGraph::reach(std::size_t from, std::vector<GraphReach>& reached, double way_m) const {
     constexpr double kJointWay = 0.1;
     constexpr double kJointVariance = 1e-4;     // (1 cm)^2

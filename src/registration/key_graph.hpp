@@ -55,6 +55,8 @@ class KeyGraph {
     void join(std::uint32_t a, std::uint32_t b);
     /// The first key of the part that a key belongs to.
     std::size_t part_begin(std::size_t key) const;
+    /// The key at a scan, else the last one before it; there is one.
+    std::size_t key_at(std::uint64_t scan) const;
 
     /// Of every key from key `from`, by the way of least variance: each step adds its own and what
     /// its heading does at the distance to `from`. Nothing beyond `way_m` along the graph is gone

@@ -383,6 +383,9 @@ void Registration::finish(bool another_follows) {
 void Registration::set_edits(const std::string& edits) {
     impl_->set_edits(edits);
 }
+bool Registration::foresee(const std::string& edits) {
+    return impl_->foresee(edits);
+}
 LoopRecord Registration::fitted_loop(std::uint64_t scan, std::uint64_t earlier,
                                      const Pose& start) const {
     return impl_->fitted_loop(scan, earlier, start);
@@ -401,6 +404,9 @@ std::span<const KeyPose> Registration::keys() const {
 }
 std::span<const PoseEdge> Registration::edges() const {
     return impl_->graph().edges;
+}
+double Registration::chi_square() const {
+    return impl_->chi_square();
 }
 RegistrationFigures Registration::figures() const {
     return impl_->figures();

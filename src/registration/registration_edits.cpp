@@ -14,36 +14,17 @@ namespace hitos {
 void Registration::Impl::edit_graph(std::vector<KeyPose>& before) {
     const std::vector<GraphEdit> edits = editor_.of_newest(graph_);
     if (edits.empty()) return;
-    const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
     before = graph_.poses;
     const std::size_t first_edge = graph_.edges.size();
     const std::size_t first_loop = loops_.size();
-    const auto hold = [&](std::uint32_t from, const Pose& z, GraphEdit::Kind kind) {
-        const Eigen::Vector3d information = sigmas_by_hand(kind).cwiseAbs2().cwiseInverse();
-        graph_.edges.push_back(
-            {from, newest, z, information.asDiagonal().toDenseMatrix(), EdgeKind::by_hand});
-    };
     for (const GraphEdit& edit : edits) {
-        if (edit.kind == GraphEdit::Kind::fix) {
-            lay_where_said(edit.pose, 0);
-            hold(0, between(graph_.poses.front().pose, edit.pose), edit.kind);
-            continue;
-        }
-        const auto earlier = static_cast<std::uint32_t>(
-            std::ranges::lower_bound(graph_.poses, edit.earlier.scan, {}, &KeyPose::scan) -
-            graph_.poses.begin());
-        lay_where_said(compose(graph_.poses[earlier].pose, edit.pose), earlier);
-        LoopRecord record;
-        record.scan = edit.scan.scan;
-        record.earlier = edit.earlier.scan;
-        record.pose_earlier_scan = edit.pose;
-        record.way_m = graph_.scans[newest].travelled_m - graph_.scans[earlier].travelled_m;
-        record.by_hand = true;
-        closer_.measure(graph_, newest, earlier, record);
-        loops_.push_back(record);
-        hold(earlier, edit.pose, edit.kind);
-        graph_.join(earlier, newest);
-        believe(earlier);
+        PoseEdge edge = edge_by_hand(edit);
+        lay_where_said(compose(graph_.poses[edge.from].pose, edge.z), edge.from);
+        graph_.edges.push_back(edge);
+        if (edit.kind == GraphEdit::Kind::fix) continue;
+        loops_.push_back(loop_by_hand(edit, edge));
+        graph_.join(edge.from, edge.to);
+        believe(edge.from);
     }
     PoseGraphSolver solver(graph_.size(), graph_.edges);
     solver.solve(graph_.poses, solution(6, false), first_edge);
@@ -58,6 +39,35 @@ void Registration::Impl::edit_graph(std::vector<KeyPose>& before) {
     }
     figures_.largest_correction_m = std::max(figures_.largest_correction_m, move_m);
     closer_.forget();
+}
+
+/// That two keys lie as somebody says; those of a place that is known from the first one. A scan
+/// that is no key hangs on the last one before it.
+PoseEdge Registration::Impl::edge_by_hand(const GraphEdit& edit) const {
+    const bool fix = edit.kind == GraphEdit::Kind::fix;
+    const std::size_t to = graph_.key_at(edit.scan.scan);
+    const std::size_t from = fix ? 0 : graph_.key_at(edit.earlier.scan);
+    Pose z = fix ? between(graph_.poses.front().pose, edit.pose) : edit.pose;
+    if (graph_.poses[to].scan != edit.scan.scan) {
+        z = compose(z, inverse(placed_[edit.scan.scan].pose_key_scan));
+    }
+    if (!fix && graph_.poses[from].scan != edit.earlier.scan) {
+        z = compose(placed_[edit.earlier.scan].pose_key_scan, z);
+    }
+    const Eigen::Vector3d information = sigmas_by_hand(edit.kind).cwiseAbs2().cwiseInverse();
+    return {static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to), z,
+            information.asDiagonal().toDenseMatrix(), EdgeKind::by_hand};
+}
+
+LoopRecord Registration::Impl::loop_by_hand(const GraphEdit& edit, const PoseEdge& edge) {
+    LoopRecord record;
+    record.scan = edit.scan.scan;
+    record.earlier = edit.earlier.scan;
+    record.pose_earlier_scan = edit.pose;
+    record.way_m = graph_.scans[edge.to].travelled_m - graph_.scans[edge.from].travelled_m;
+    record.by_hand = true;
+    closer_.measure(graph_, edge.to, edge.from, record);
+    return record;
 }
 
 /// Somebody says where the newest key is, from a key on: a tour that nobody has found begins there.

@@ -34,6 +34,7 @@ class Registration::Impl {
         editor_.replace(parse_graph_edits(edits));
         params_.edits = edits;
     }
+    bool foresee(const std::string& edits);
     LoopRecord fitted_loop(std::uint64_t scan, std::uint64_t earlier, const Pose& start) const;
     /// What can be drawn anew of the graph and takes a hundred megabytes.
     void drop_pictures() { closer_.rest(); }
@@ -42,6 +43,7 @@ class Registration::Impl {
     const KeyGraph& graph() const { return graph_; }
     const std::vector<LoopRecord>& loops() const { return loops_; }
     const std::vector<LoopRecord>& refused_loops() const { return refused_; }
+    double chi_square() const { return tension(graph_.edges); }
     RegistrationFigures figures() const;
     std::vector<ChangedPlace> changes() const;
     std::optional<PathCorrection> correction() const {
@@ -89,6 +91,13 @@ class Registration::Impl {
         return {iterations, robust, held_};
     }
     void edit_graph(std::vector<KeyPose>& before);
+    PoseEdge edge_by_hand(const GraphEdit& edit) const;
+    LoopRecord loop_by_hand(const GraphEdit& edit, const PoseEdge& edge);
+    bool finds_tour(const GraphEdit& edit) const;
+    void bend(const GraphEdit& edit);
+    void unbend(const GraphEdit& edit);
+    void part(const GraphEdit& edit);
+    void say_of_step(const GraphEdit& edit, const Eigen::Vector3d& variances);
     void weigh_loops();
     double tension(std::span<const PoseEdge> edges) const;
     double squared_distance(const PoseEdge& edge) const;

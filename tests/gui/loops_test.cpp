@@ -2,10 +2,13 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSpinBox>
 #include <algorithm>
+#include <cmath>
 
 #include "gui_fixture.hpp"
 #include "inspect/loop_model.hpp"
@@ -158,6 +161,31 @@ void InspectTest::a_loop_is_refused_taken_back_and_closed_by_hand() {
     QVERIFY(f.reason().startsWith("Refused by hand"));
     QCOMPARE(f.button("loop_change").text(), "Take back");
     QVERIFY(!path_is_as_before());
+    // What it made of the map is told, and the map from before is one click away.
+    const auto* effect = f.dock().findChild<QLabel*>("edit_effect");
+    QVERIFY2(effect->text().startsWith("By the last change: χ²"), qPrintable(effect->text()));
+    References references;
+    references.trajectory = trajectory;
+    f.session.set_references(references);
+    const QRegularExpression told(
+        "^By the last change: error [0-9.]+ → [0-9.]+ m, χ² [0-9.]+ → [0-9.]+, up to [0-9.]+ m "
+        "moved\\.$");
+    QVERIFY2(told.match(effect->text()).hasMatch(), qPrintable(effect->text()));
+    const auto changed = f.session.snapshot();
+    f.press("edit_before");
+    QVERIFY(path_is_as_before());
+    f.press("edit_before");
+    QCOMPARE(f.session.snapshot(), changed);
+    f.press("edit_before");
+    f.session.seek(300);
+    QVERIFY(!f.session.shows_before());
+    QTRY_VERIFY(f.shows_everything() && f.steps() == 300);
+    QVERIFY(!effect->isVisible());
+    f.session.run();
+    QTRY_VERIFY_WITH_TIMEOUT(at_rest(), 60000);
+    f.list(0);
+    f.choose(loop);
+    f.list(1);
     QTest::mouseClick(&f.button("loop_change"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(at_rest() && f.session.configuration().registration.edits.empty(),
                              60000);
@@ -268,6 +296,37 @@ void InspectTest::a_step_that_slipped_is_listed_and_taken_back() {
     f.press("edit_take_back");
     QTRY_VERIFY(f.edits().empty() && f.shows_everything());
     QVERIFY(!list->isVisible());
+}
+
+void InspectTest::a_scan_is_fixed_where_somebody_says() {
+    Loops f(false);
+    f.run_to_end();
+    f.trigger("action_loops_dock");
+    QTRY_VERIFY(f.at_rest() && f.button("edit_fix").isEnabled());
+    const auto before = f.session.snapshot();
+    const auto scans = before->steps;
+    QCOMPARE(f.button("edit_fix").text(), QString("Fix scan %1 at").arg(scans));
+    auto* at = f.dock().findChild<QLineEdit*>("edit_fix_at");
+    at->setFocus();
+    at->setText("1, 2");
+    QVERIFY(!f.button("edit_fix").isEnabled());
+    at->setText("1.5, 2.25, 90");
+    QTest::keyClick(at, Qt::Key_Return);
+    const auto is_there = [&](const Snapshot& snapshot) {
+        const Pose& pose = snapshot.best_trajectory.back().pose;
+        return std::hypot(pose.x - 1.5, pose.y - 2.25) < 0.1 && std::abs(pose.theta - 1.57) < 0.1;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(f.at_rest(), 60000);
+    QVERIFY2(f.edits().starts_with("fix " + std::to_string(scans) + "@"), f.edits().c_str());
+    QVERIFY(is_there(*f.session.snapshot()));
+    QVERIFY(!f.button("edit_fix").isEnabled());
+    // Taken back, what was before is there at once.
+    f.trigger("action_undo");
+    QVERIFY(f.session.snapshot() && f.session.snapshot()->foreseen);
+    QVERIFY(f.session.snapshot()->best_trajectory == before->best_trajectory);
+    QTRY_VERIFY_WITH_TIMEOUT(f.at_rest(), 60000);
+    QVERIFY(!f.session.snapshot()->foreseen);
+    QVERIFY(f.session.snapshot()->best_trajectory == before->best_trajectory);
 }
 
 void InspectTest::without_registration_there_are_no_loops() {

@@ -73,6 +73,13 @@ class Registration {
     /// then what it was.
     void set_edits(const std::string& edits);
 
+    /// The graph at once as other changes by hand bend it: what they name is taken out of it and put
+    /// into it, and it is solved from where it stands; correction() says how it moves. Nothing is
+    /// matched or looked for anew, so it is near what the tour gives with them and not the same: to
+    /// be looked at, no scan may follow. Returns whether it is: not where one of them lays a tour
+    /// that nobody has found. Throws ConfigError where they are none.
+    bool foresee(const std::string& edits);
+
     /// A loop from one key scan to an earlier one as their passages lie best on each other, from
     /// `start` on, the pose of the former seen from the latter; nothing is closed. Throws Error
     /// where one is no key scan.
@@ -84,6 +91,8 @@ class Registration {
     const std::vector<LoopRecord>& refused_loops() const;
     std::span<const KeyPose> keys() const;
     std::span<const PoseEdge> edges() const;
+    /// How much the graph is bent: the sum of its edges' squared Mahalanobis distances.
+    double chi_square() const;
     RegistrationFigures figures() const;
     /// Of two tours what is gone and what is new, larger than half a metre and more than 0.3 m off
     /// what was there; nothing where the second was not found. It takes some seconds for thousands

@@ -208,6 +208,12 @@ void Algoritmo::set_edits(const std::string& edits) {
     configuration_.registration.edits = edits;
 }
 
+bool Algoritmo::foresee(const std::string& edits) {
+    if (!state_.registration || !state_.registration->foresee(edits)) return false;
+    take_correction();
+    return true;
+}
+
 std::uint64_t Algoritmo::untouched_scans(const std::string& edits) const {
     if (!state_.registration) return steps();
     std::vector<std::uint64_t> keys;

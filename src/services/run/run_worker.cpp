@@ -84,7 +84,8 @@ bool RunWorker::waits_for_pace() const {
 
 bool RunWorker::passes_by() const {
     using namespace std::chrono_literals;
-    return budget_ > 0 && !paced_ && std::chrono::steady_clock::now() < seek_began_ + 300ms;
+    return budget_ > 0 && !paced_ &&
+           (foreseen_ || std::chrono::steady_clock::now() < seek_began_ + 300ms);
 }
 
 void RunWorker::pause() {
@@ -117,6 +118,7 @@ void RunWorker::seek(std::uint64_t steps) {
     rules_ = {};
     paced_ = false;
     seek_wanted_ = seek_target_ = steps;
+    foreseen_ = false;
     seek_began_ = std::chrono::steady_clock::now();
     progress_.state = Progress::State::running;
     progress_.stopped_by = StopReason::none;
@@ -146,6 +148,7 @@ void RunWorker::set_edits(const std::string& edits) {
     progress_.error = {};
     progress_.failure = nullptr;
     snapshot_ = nullptr;
+    foreseen_ = false;
     wake_.notify_one();
 }
 
@@ -311,6 +314,11 @@ void RunWorker::take_edits(std::unique_lock<std::mutex>& lock) {
     // Said before the lock is let go, so that what is ordered meanwhile counts.
     budget_ = edit_target_ - (from ? from->steps() : 0);
     stepping_ = true;
+    const bool rested = run_.finished() || run_.steps() == edit_target_;
+    lock.unlock();
+    const bool foreseen = rested && run_.foresee(edits);
+    lock.lock();
+    if (foreseen) publish_snapshot(lock, true);
     lock.unlock();
     run_.set_edits(edits);
     leave_for(from.get());
@@ -378,15 +386,17 @@ void RunWorker::note_progress() {
     }
 }
 
-void RunWorker::publish_snapshot(std::unique_lock<std::mutex>& lock) {
-    const SnapshotParts parts = *std::exchange(snapshot_wanted_, std::nullopt);
-    const bool rests = budget_ == 0 || waits_for_pace();
+void RunWorker::publish_snapshot(std::unique_lock<std::mutex>& lock, bool foreseen) {
+    const SnapshotParts parts = std::exchange(snapshot_wanted_, std::nullopt).value_or(parts_);
+    parts_ = parts;
+    const bool rests = foreseen || budget_ == 0 || waits_for_pace();
     lock.unlock();
     const double begin = thread_seconds();
     auto snapshot = std::make_shared<Snapshot>();
     snapshot->parts = parts;
     snapshot->steps = run_.steps();
     snapshot->revision = run_.revision();
+    snapshot->foreseen = foreseen;
     snapshot->scan = run_.scan();
     snapshot->observation = run_.observation();
     const auto associations = run_.filter().associations();
@@ -409,7 +419,10 @@ void RunWorker::publish_snapshot(std::unique_lock<std::mutex>& lock) {
         snapshot->keys.assign(keys.begin(), keys.end());
         snapshot->loops = run_loops(registration->loops(), registration->refused_loops(),
                                     snapshot->best_trajectory);
-        if (parts.key_scans) snapshot->key_scans = run_.key_scans();
+        if (parts.key_scans) {
+            snapshot->key_scans = run_.key_scans();
+            snapshot->chi_square = registration->chi_square();
+        }
     }
     if (run_.finished()) {
         snapshot->advice = warnings(run_.evidence());
@@ -422,7 +435,9 @@ void RunWorker::publish_snapshot(std::unique_lock<std::mutex>& lock) {
     snapshot->step_grid = snapshot->grid_behind ? grid_.last() : grid_.now(run_);
     snapshot->seconds = thread_seconds() - begin;
     lock.lock();
-    if (!restart_wanted_ && !edits_wanted_) snapshot_ = std::move(snapshot);
+    if (restart_wanted_ || edits_wanted_) return;
+    snapshot_ = std::move(snapshot);
+    foreseen_ = foreseen && !seek_wanted_;
 }
 
 }  // namespace hitos

@@ -250,6 +250,80 @@ TEST_F(EditedRing, IsTheSameTwiceAndFromACopy) {
     EXPECT_EQ(first.registration.path(), copy.path());
 }
 
+TEST_F(EditedRing, WhatAChangeMakesOfTheGraphIsForeseen) {
+    const auto finished = [&](const std::string& edits, bool loops) {
+        test::Driven driven = this->driven(edits, loops);
+        driven.registration.finish();
+        return std::move(driven.registration);
+    };
+    // Far beyond what the scans say, so that it is known where the path goes, and goes back.
+    const std::size_t scan = truth_.size() - 20;
+    const Pose wrong{1.0, 0.5, 0.2};
+    const std::string close =
+        text_of(std::vector<GraphEdit>{{GraphEdit::Kind::close, {scan}, {40}, wrong}});
+    Registration closed = finished("", false);
+    const std::vector<Pose> before = closed.path();
+    ASSERT_TRUE(closed.foresee(close));
+    const Pose seen = between(closed.path()[40], closed.path()[scan]);
+    EXPECT_NEAR(seen.x, wrong.x, 0.15);
+    EXPECT_NEAR(seen.y, wrong.y, 0.15);
+    ASSERT_EQ(closed.loops().size(), 1U);
+    EXPECT_TRUE(closed.loops().front().by_hand);
+    const std::optional<PathCorrection> correction = closed.correction();
+    ASSERT_TRUE(correction);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const Pose moved = compose(correction->by_scan[i], before[i]);
+        EXPECT_NEAR(moved.x, closed.path()[i].x, 1e-9);
+        EXPECT_NEAR(moved.y, closed.path()[i].y, 1e-9);
+    }
+
+    const std::size_t middle = truth_.size() / 2;
+    Pose there = before[middle];
+    there.y += 0.5;
+    Registration fixed = finished("", false);
+    const std::string fix =
+        text_of(std::vector<GraphEdit>{{GraphEdit::Kind::fix, {middle}, {}, there}});
+    ASSERT_TRUE(fixed.foresee(fix));
+    EXPECT_NEAR(fixed.path()[middle].x, there.x, 0.05);
+    EXPECT_NEAR(fixed.path()[middle].y, there.y, 0.05);
+    const Registration made = finished(fix, false);
+    EXPECT_LT(test::greatest_path_error(fixed.path(), made.path()),
+              0.5 * test::greatest_path_error(before, made.path()));
+}
+
+TEST_F(EditedRing, ALoopThatIsRefusedIsForeseenOpen) {
+    test::Driven plain = driven("");
+    plain.registration.finish();
+    const LoopRecord loop = plain.registration.loops().front();
+    const auto joints = [](const Registration& registration) {
+        return std::ranges::count(registration.edges(), EdgeKind::loop, &PoseEdge::kind);
+    };
+    const auto all = joints(plain.registration);
+    const std::string refuse =
+        text_of(std::vector<GraphEdit>{{GraphEdit::Kind::refuse, {loop.scan}, {loop.earlier}}});
+    Registration open(plain.registration);
+    ASSERT_TRUE(open.foresee(refuse));
+    EXPECT_LT(joints(open), all / 2) << "the second round along the first";
+    EXPECT_FALSE(std::ranges::any_of(open.loops(),
+                                     [&](const LoopRecord& one) { return one.scan == loop.scan; }));
+    EXPECT_TRUE(std::ranges::any_of(open.refused_loops(), [&](const LoopRecord& one) {
+        return one.scan == loop.scan && one.verdict == LoopVerdict::by_hand;
+    }));
+    // Taken back, it is among the loops again.
+    test::Driven refused = driven(refuse);
+    refused.registration.finish();
+    ASSERT_TRUE(refused.registration.foresee(""));
+    EXPECT_TRUE(std::ranges::any_of(refused.registration.loops(), [&](const LoopRecord& one) {
+        return one.scan == loop.scan && one.verdict == LoopVerdict::closed;
+    }));
+    // A change of a scan that has not come changes nothing; before there is a tour, none does.
+    const std::vector<Pose> path = plain.registration.path();
+    ASSERT_TRUE(plain.registration.foresee("fix 99998 0 0 0"));
+    EXPECT_LT(test::greatest_path_error(plain.registration.path(), path), 0.02);
+    EXPECT_FALSE(Registration(RegistrationParams{}).foresee("slip 3"));
+    EXPECT_THROW(plain.registration.foresee("open 3"), ConfigError);
+}
+
 TEST_F(EditedRing, WhatMeetsNothingIsTold) {
     const test::Driven plain = driven("refuse 90 3; slip 60; slip 99999; fix 99998 0 0 0", false);
     EXPECT_THAT(plain.registration.figures().edits_unmet, testing::ElementsAre(0, 2, 3));

@@ -1,11 +1,16 @@
 #include "edit_list.hpp"
 
+#include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
-#include "hitos/registration/graph_edit.hpp"
+#include "hitos/capture/joined_tour.hpp"
+#include "hitos/services/evaluation/measures.hpp"
 #include "look/flow_layout.hpp"
 #include "look/parameter_text.hpp"
 
@@ -25,6 +30,24 @@ QString words_of(const GraphEdit& edit) {
         default:
             return EditList::tr("The step to scan %1 slipped").arg(scan);
     }
+}
+
+std::optional<Pose> pose_of(const QLineEdit& line) {
+    try {
+        return start_of(line.text().remove(' ').toStdString());
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+double largest_move_m(const Trajectory& before, const Trajectory& after) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) {
+        const Pose& a = before[i].pose;
+        const Pose& b = after[i].pose;
+        largest = std::max(largest, std::hypot(a.x - b.x, a.y - b.y));
+    }
+    return largest;
 }
 
 std::vector<GraphEdit> edits_of(const Session& session) {
@@ -52,7 +75,29 @@ EditList::EditList(Session& session, QWidget* parent) : QWidget(parent), session
         tr("The odometry says nothing of the step to the scan that is shown: its "
            "wheels slipped, or somebody pushed the robot"));
     row->addWidget(slip_);
+    fix_ = new QPushButton(bar);
+    fix_->setObjectName("edit_fix");
+    fix_->setToolTip(tr("The scan that is shown was made there: it stays, and the map bends"));
+    row->addWidget(fix_);
+    at_ = new QLineEdit(bar);
+    at_->setObjectName("edit_fix_at");
+    at_->setToolTip(tr("x, y [m] and heading [°] in the map"));
+    at_->setAccessibleName(at_->toolTip());
+    row->addWidget(at_);
+    before_ = new QPushButton(tr("As before"), bar);
+    before_->setObjectName("edit_before");
+    before_->setCheckable(true);
+    before_->setToolTip(tr("Shows the map as it was before the last change"));
+    row->addWidget(before_);
     column->addWidget(bar);
+    effect_ = new QLabel(this);
+    effect_->setObjectName("edit_effect");
+    effect_->setWordWrap(true);
+    column->addWidget(effect_);
+    connect(before_, &QPushButton::toggled, &session_, &Session::show_before);
+    connect(fix_, &QPushButton::clicked, this, &EditList::note_fix);
+    connect(at_, &QLineEdit::returnPressed, fix_, &QPushButton::click);
+    connect(at_, &QLineEdit::textChanged, this, &EditList::show_steps);
     connect(take_back_, &QPushButton::clicked, this, &EditList::take_back);
     connect(slip_, &QPushButton::clicked, this, &EditList::note_slip);
     connect(list_, &QListWidget::currentRowChanged, this,
@@ -76,12 +121,66 @@ void EditList::refresh() {
     take_back_->setVisible(!edits.empty());
     take_back_->setEnabled(list_->currentRow() >= 0);
     const auto snapshot = session_.snapshot();
+    if (snapshot && snapshot->steps > 0 && !at_->hasFocus()) {
+        const Pose& pose = snapshot->best_trajectory.back().pose;
+        at_->setText(QString("%1, %2, %3")
+                         .arg(pose.x, 0, 'f', 3)
+                         .arg(pose.y, 0, 'f', 3)
+                         .arg(pose.theta * kDegreesPerRadian, 0, 'f', 2));
+    }
+    show_steps();
+    show_effect();
+}
+
+/// What can be said of the scan that is shown.
+void EditList::show_steps() {
+    const auto snapshot = session_.snapshot();
     const std::uint64_t steps = snapshot ? snapshot->steps : 0;
-    const bool said = std::ranges::any_of(edits, [&](const GraphEdit& edit) {
-        return edit.kind == GraphEdit::Kind::slip && edit.scan.scan + 1 == steps;
-    });
+    const std::vector<GraphEdit> edits = edits_of(session_);
+    const auto said = [&](GraphEdit::Kind kind) {
+        return std::ranges::any_of(edits, [&](const GraphEdit& edit) {
+            return edit.kind == kind && edit.scan.scan + 1 == steps;
+        });
+    };
     slip_->setText(tr("The step to %1 slipped").arg(steps));
-    slip_->setEnabled(steps > 1 && !said);
+    slip_->setEnabled(steps > 1 && !said(GraphEdit::Kind::slip));
+    fix_->setText(tr("Fix scan %1 at").arg(steps));
+    fix_->setEnabled(steps > 1 && !said(GraphEdit::Kind::fix) && pose_of(*at_));
+    at_->setEnabled(steps > 1);
+}
+
+/// What the last change made of the error, where a reference is known, and of the graph.
+void EditList::show_effect() {
+    const auto before = session_.before_edits();
+    const QSignalBlocker quiet(before_);
+    before_->setChecked(session_.shows_before());
+    before_->setVisible(before != nullptr);
+    effect_->setVisible(before != nullptr);
+    if (!before || session_.shows_before()) return;
+    const auto after = session_.snapshot();
+    QStringList words;
+    const auto changes = [&](const QString& name, double was, double is, int digits) {
+        words << name.arg(was, 0, 'f', digits).arg(is, 0, 'f', digits);
+    };
+    const References& references = session_.references();
+    if (references.trajectory) {
+        const auto error = [&](const Snapshot& snapshot) {
+            return trajectory_error(snapshot.best_trajectory, *references.trajectory,
+                                    references.tolerance_s);
+        };
+        const auto was = error(*before);
+        const auto is = error(*after);
+        if (was && is) changes(tr("error %1 → %2 m"), was->rmse_m, is->rmse_m, 3);
+    }
+    if (before->chi_square && after->chi_square) {
+        const int digits = std::max(*before->chi_square, *after->chi_square) < 100.0 ? 1 : 0;
+        changes(tr("χ² %1 → %2"), *before->chi_square, *after->chi_square, digits);
+    }
+    words << tr("up to %1 m moved")
+                 .arg(largest_move_m(before->best_trajectory, after->best_trajectory), 0, 'f', 2);
+    effect_->setText((after->foreseen ? tr("Foreseen, the scans are taken anew: %1.")
+                                      : tr("By the last change: %1."))
+                         .arg(words.join(", ")));
 }
 
 void EditList::take_back() {
@@ -92,13 +191,22 @@ void EditList::take_back() {
     emit edits_wanted(to_qt(text_of(edits)));
 }
 
-void EditList::note_slip() {
+/// Of the scan that is shown.
+void EditList::add(GraphEdit edit) {
     const auto snapshot = session_.snapshot();
     if (!snapshot || snapshot->steps < 2) return;
+    edit.scan = {snapshot->steps - 1, snapshot->best_trajectory.back().time_s};
     std::vector<GraphEdit> edits = edits_of(session_);
-    edits.push_back(
-        {GraphEdit::Kind::slip, {snapshot->steps - 1, snapshot->best_trajectory.back().time_s}});
+    edits.push_back(edit);
     emit edits_wanted(to_qt(text_of(edits)));
+}
+
+void EditList::note_slip() {
+    add({GraphEdit::Kind::slip, {}});
+}
+
+void EditList::note_fix() {
+    if (const auto pose = pose_of(*at_)) add({GraphEdit::Kind::fix, {}, {}, *pose});
 }
 
 }  // namespace hitos::window

@@ -4,14 +4,18 @@
 #include <QWidget>
 #include <vector>
 
+#include "hitos/registration/graph_edit.hpp"
 #include "session/session.hpp"
 
+class QLabel;
+class QLineEdit;
 class QListWidget;
 class QPushButton;
 
 namespace hitos::window {
 
-/// In sight where there is something to take back. A step that slipped is said here too.
+/// In sight where there is something to take back. A step that slipped and a scan that is fixed
+/// where it lies are said here too, and what the last change made of the map.
 class EditList final : public QWidget {
     Q_OBJECT
 
@@ -28,11 +32,19 @@ class EditList final : public QWidget {
   private:
     void take_back();
     void note_slip();
+    void note_fix();
+    void add(GraphEdit edit);
+    void show_steps();
+    void show_effect();
 
     Session& session_;
     QListWidget* list_;
     QPushButton* take_back_;
     QPushButton* slip_;
+    QPushButton* fix_;
+    QLineEdit* at_;
+    QPushButton* before_;
+    QLabel* effect_;
 };
 
 }  // namespace hitos::window

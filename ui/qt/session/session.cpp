@@ -117,21 +117,46 @@ void Session::set_edits(const std::string& edits) {
         return;
     }
     emit leaving();
-    configuration_ = next;
+    std::string edits_now = std::exchange(configuration_.registration.edits, edits);
+    std::shared_ptr<const Snapshot> before = std::move(snapshot_);
+    // Who takes the last change back sees at once what was there before it: it comes again.
+    std::shared_ptr<Snapshot> again;
+    if (before && before_ && edits == edits_before_ && before_->revision == before->revision) {
+        again = std::make_shared<Snapshot>(*before_);
+        again->foreseen = true;
+    }
+    if (!before) {  // nothing was seen of the last ones yet
+        before = before_;
+        edits_now = edits_before_;
+    }
     worker_->set_edits(edits);
     begin_anew();
+    before_ = std::move(before);
+    edits_before_ = std::move(edits_now);
+    snapshot_ = std::move(again);
+    if (snapshot_) emit snapshot_changed();
     emit configuration_changed();
     wake();
 }
 
 void Session::begin_anew() {
-    snapshot_ = nullptr;
+    snapshot_ = before_ = nullptr;
+    shows_before_ = false;
     requested_ = false;
-    before_request_ = nullptr;
     told_ = {};
     emit restarted();
     emit snapshot_changed();
     emit progress_changed();
+}
+
+std::shared_ptr<const Snapshot> Session::before_edits() const {
+    return before_ && snapshot_ && before_->revision == snapshot_->revision ? before_ : nullptr;
+}
+
+void Session::show_before(bool before) {
+    if (before == shows_before_ || (before && !before_edits())) return;
+    shows_before_ = before;
+    emit snapshot_changed();
 }
 
 void Session::set_references(const References& references, const QString& map_file) {
@@ -227,6 +252,7 @@ void Session::want(const SnapshotParts& parts) {
 }
 
 void Session::wake() {
+    show_before(false);
     timer_.start();
     tick();
 }
@@ -248,7 +274,8 @@ void Session::tick() {
     }
     const qint64 now_us = clock_.nsecsElapsed() / 1000;
     const std::shared_ptr<const Snapshot> latest = worker_->latest_snapshot();
-    if (requested_ && latest && latest != before_request_) {
+    const bool foreseen_twice = latest && snapshot_ && latest->foreseen && snapshot_->foreseen;
+    if (requested_ && latest && latest != snapshot_ && !foreseen_twice) {
         requested_ = false;
         snapshot_ = latest;
         const double begin = thread_seconds();
@@ -262,7 +289,6 @@ void Session::tick() {
     const bool running = now.state == Progress::State::running;
     const bool behind = now.steps > 0 && !shows(now);
     if (!requested_ && behind && (!running || now_us >= request_not_before_us_)) {
-        before_request_ = worker_->latest_snapshot();
         requested_ = true;
         worker_->request_snapshot(parts_);
     }

@@ -57,8 +57,14 @@ class Session final : public QObject {
     bool has_source() const { return worker_ != nullptr; }
     /// Null without a source.
     RunWorker* worker() const { return worker_.get(); }
-    /// The newest one; null before the first.
-    std::shared_ptr<const Snapshot> snapshot() const { return snapshot_; }
+    /// The newest one; null before the first. While show_before() asks for it, the one from before
+    /// the last changes by hand.
+    std::shared_ptr<const Snapshot> snapshot() const { return shows_before_ ? before_ : snapshot_; }
+    /// What was shown before the last set_edits(), where the same scans are shown again; else null.
+    std::shared_ptr<const Snapshot> before_edits() const;
+    bool shows_before() const { return shows_before_; }
+    /// Until something else is asked of the run.
+    void show_before(bool before);
     Progress progress() const;
     /// Wall time [s] that the first `steps` steps took, each the first time that it was done.
     double computed_seconds(std::uint64_t steps = RunWorker::kToTheEnd) const;
@@ -109,7 +115,7 @@ class Session final : public QObject {
     void tick();
     bool shows(const Progress& progress) const {
         const bool running = progress.state == Progress::State::running && !progress.waits;
-        return snapshot_ && snapshot_->revision == progress.revision &&
+        return snapshot_ && !snapshot_->foreseen && snapshot_->revision == progress.revision &&
                snapshot_->parts == parts_ && (running || !snapshot_->grid_behind);
     }
     void wake();
@@ -128,6 +134,9 @@ class Session final : public QObject {
     Pace pace_;
     std::unique_ptr<RunWorker> worker_;
     std::shared_ptr<const Snapshot> snapshot_;
+    std::shared_ptr<const Snapshot> before_;  ///< the last changes by hand
+    std::string edits_before_;                ///< of it
+    bool shows_before_ = false;
     QTimer timer_;
     QElapsedTimer clock_;
     Progress told_;
@@ -135,7 +144,6 @@ class Session final : public QObject {
     qint64 request_not_before_us_ = 0;
     bool requested_ = false;
     SnapshotParts parts_;
-    std::shared_ptr<const Snapshot> before_request_;
     double paint_seconds_ = 0.0;
 };
 

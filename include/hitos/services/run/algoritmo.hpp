@@ -75,6 +75,10 @@ class Algoritmo {
     /// Other changes by hand of the graph, from now on: the run goes on with them. Throws
     /// ConfigError where they are none.
     void set_edits(const std::string& edits);
+    /// The state at once as other changes by hand bend the graph (Registration::foresee()), to be
+    /// looked at: go_to(), rewind() or restart() has to follow where it is true. Throws ConfigError
+    /// where they are none.
+    bool foresee(const std::string& edits);
     /// How many scans are the same with them.
     std::uint64_t untouched_scans(const std::string& edits) const;
     /// To the beginning, reading what is remembered again; where nothing is it is a restart(), and

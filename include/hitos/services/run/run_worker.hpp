@@ -50,6 +50,7 @@ struct Snapshot {
     std::uint64_t steps = 0;
     std::uint64_t revision = 0;  ///< as Algoritmo::revision()
     bool grid_behind = false;    ///< step_grid is the one from before a correction
+    bool foreseen = false;       ///< as Algoritmo::foresee(): the run is not there yet
     Scan scan;
     Observation observation;
     std::vector<Association> associations;
@@ -69,6 +70,7 @@ struct Snapshot {
     std::vector<RunLoop> loops;    ///< likewise, the refused ones too
     /// Those of the keys, where asked for and the run draws its grid.
     std::vector<std::shared_ptr<const Scan>> key_scans;
+    std::optional<double> chi_square;  ///< likewise: as Registration::chi_square()
     Trajectory odometry_trajectory;
     GridTiles step_grid;
     std::vector<Advice> advice;  ///< of a finished run: what speaks against it
@@ -128,7 +130,9 @@ class RunWorker {
     void seek(std::uint64_t steps);
     /// Other changes by hand of the graph (RegistrationParams::edits): the run goes back to before
     /// the first scan that they touch, and as fast as possible to where it was, or was sent to by
-    /// seek(), and rests there. What was published before is forgotten. A failed run begins anew.
+    /// seek(), and rests there. What was published before is forgotten; where the run rested there
+    /// is a foreseen snapshot at once, and no other until the run rests again. A failed run begins
+    /// anew.
     /// Throws ConfigError where they are none.
     void set_edits(const std::string& edits);
     /// Blocks until nothing is left to do (end, failure, pause, steps done).
@@ -178,7 +182,7 @@ class RunWorker {
     void take_edits(std::unique_lock<std::mutex>& lock);
     /// To a checkpoint, or to the beginning.
     void leave_for(const RunCheckpoint* checkpoint);
-    void publish_snapshot(std::unique_lock<std::mutex>& lock);
+    void publish_snapshot(std::unique_lock<std::mutex>& lock, bool foreseen = false);
     void note_progress();
     const StepFigures& noted_figures();
     bool waits_for_pace() const;  // with the mutex held
@@ -206,6 +210,8 @@ class RunWorker {
     std::uint64_t edit_target_ = 0;  // where the run goes to with them
     std::chrono::steady_clock::time_point seek_began_;
     std::optional<SnapshotParts> snapshot_wanted_;
+    SnapshotParts parts_;    // of the last one
+    bool foreseen_ = false;  // what was published is, until the run rests
     bool busy_ = false;
     bool stepping_ = false;  // a step is under way
     std::vector<std::function<void(const Algoritmo&)>> tasks_;

@@ -165,8 +165,23 @@ TEST(RunWorker, ChangesByHandGiveWhatTheyGiveFromTheBeginning) {
         RunWorker worker(configuration, open_source(configuration.source), options);
         worker.run();
         worker.wait();
+        // What is foreseen is shown alone until the run is there, even to who asks for more.
+        std::promise<void> seen;
         worker.set_edits(refused);
+        auto first = worker.with_run([&, hold = seen.get_future().share()](const Algoritmo&) {
+            worker.request_snapshot();
+            hold.wait();
+        });
+        std::shared_ptr<const Snapshot> foreseen;
+        while (!foreseen) foreseen = worker.latest_snapshot();
+        EXPECT_TRUE(foreseen->foreseen) << algorithm;
+        EXPECT_EQ(foreseen->steps, plain->steps()) << algorithm;
+        EXPECT_NE(foreseen->best_trajectory, plain->best_trajectory()) << algorithm;
+        seen.set_value();
+        first.wait();
+        EXPECT_EQ(worker.latest_snapshot(), foreseen) << algorithm;
         worker.wait();
+        EXPECT_FALSE(worker.latest_snapshot()->foreseen) << algorithm;
         EXPECT_EQ(worker.progress().state, State::finished);
         expect_same_state(worker, *run_with(configuration, refused));
         EXPECT_EQ(worker.figures_since(0).size(), plain->steps());

@@ -1,0 +1,212 @@
+// What other changes by hand make of the graph at once, before the tour is taken with them.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hitos/registration/odometry_step.hpp"
+#include "hitos/registration/pose_graph_solver.hpp"
+#include "registration_impl.hpp"
+
+namespace hitos {
+namespace {
+
+/// Two passages that have been joined: where the robot was on each, by the way driven until then.
+struct Joint {
+    double later_m;
+    double earlier_m;
+};
+
+/// The edges of loops that hang together with one place where two passages were joined.
+class Stretch {
+  public:
+    Stretch(const KeyGraph& graph, const GraphEdit& edit)
+        : graph_(graph), of_it_(graph.edges.size()) {
+        const Joint seed = joint_of(graph.key_at(edit.scan.scan), graph.key_at(edit.earlier.scan));
+        joints_.push_back(seed);
+        // A scan is matched with older ones of its own passage as well.
+        const bool short_way = seed.later_m - seed.earlier_m <= kAlong;
+        std::vector<std::size_t> loops;
+        for (std::size_t i = 0; i < graph.edges.size(); ++i) {
+            const PoseEdge& edge = graph.edges[i];
+            const Joint joint = joint_of(edge.to, edge.from);
+            const bool own = !short_way && joint.later_m - joint.earlier_m <= kAlong;
+            if (edge.kind == EdgeKind::loop && !own) loops.push_back(i);
+        }
+        std::ranges::stable_sort(loops, {}, [&](std::size_t i) { return graph.edges[i].to; });
+        const auto middle = std::ranges::partition_point(loops, [&](std::size_t i) {
+            return way_m(graph.edges[i].to) < seed.later_m - kBeside;
+        });
+        follow(seed, std::span(middle, loops.end()));
+        std::reverse(loops.begin(), middle);
+        follow(seed, std::span(loops.begin(), middle));
+    }
+
+    bool has_edge(std::size_t edge) const { return of_it_[edge]; }
+    bool has(const LoopRecord& loop) const {
+        return near(joints_, joint_of(graph_.key_at(loop.scan), graph_.key_at(loop.earlier)));
+    }
+
+  private:
+    static constexpr double kAlong = 12.0;  // [m] of way without a joint
+    static constexpr double kBeside = 5.0;  // [m] of way, as wide as what is searched for
+
+    double way_m(std::size_t key) const { return graph_.scans[key].travelled_m; }
+    Joint joint_of(std::size_t later, std::size_t earlier) const {
+        return {way_m(later), way_m(earlier)};
+    }
+
+    /// As the robot goes on along both passages, the same way round or the other.
+    template <class Joints>
+    static bool near(const Joints& joints, const Joint& joint) {
+        return std::ranges::any_of(joints, [&](const Joint& one) {
+            const double later = std::abs(joint.later_m - one.later_m);
+            const double earlier = std::abs(joint.earlier_m - one.earlier_m);
+            return later <= kAlong && std::abs(earlier - later) <= kBeside;
+        });
+    }
+
+    void follow(const Joint& seed, std::span<const std::size_t> loops) {
+        std::deque<Joint> recent{seed};
+        for (const std::size_t i : loops) {
+            const PoseEdge& edge = graph_.edges[i];
+            const Joint joint = joint_of(edge.to, edge.from);
+            while (!recent.empty() && std::abs(recent.front().later_m - joint.later_m) > kAlong) {
+                recent.pop_front();
+            }
+            if (recent.empty()) return;
+            if (!near(recent, joint)) continue;
+            of_it_[i] = true;
+            recent.push_back(joint);
+            joints_.push_back(joint);
+        }
+    }
+
+    const KeyGraph& graph_;
+    std::vector<bool> of_it_;  // by edge
+    std::vector<Joint> joints_;
+};
+
+bool contains(std::span<const GraphEdit> edits, const GraphEdit& edit) {
+    return std::ranges::any_of(edits, [&](const GraphEdit& one) { return same_change(one, edit); });
+}
+
+}  // namespace
+
+bool Registration::Impl::foresee(const std::string& text) {
+    const std::vector<GraphEdit> before = editor_.edits();
+    const std::vector<GraphEdit> after = parse_graph_edits(text);
+    corrections_.clear();
+    if (graph_.size() < 2) return false;
+    std::vector<GraphEdit> made;
+    for (const GraphEdit& edit : after) {
+        if (contains(before, edit) || edit.scan.scan >= placed_.size()) continue;
+        if (finds_tour(edit)) return false;
+        made.push_back(edit);
+    }
+    const std::vector<KeyPose> keys = graph_.poses;
+    for (const GraphEdit& edit : before) {
+        if (!contains(after, edit)) unbend(edit);
+    }
+    for (const GraphEdit& edit : made) bend(edit);
+    PoseGraphSolver solver(graph_.size(), graph_.edges);
+    // Robust weights would hold what was there against what is new and large.
+    solver.solve(graph_.poses, solution(1, false));
+    solver.solve(graph_.poses, solution(1, true));
+    if (std::ranges::any_of(loops_,
+                            [](const LoopRecord& loop) { return loop.weight.has_value(); })) {
+        weigh_loops();
+    }
+    correct(keys);
+    return true;
+}
+
+/// Whether it lays a tour that nobody has found yet.
+bool Registration::Impl::finds_tour(const GraphEdit& edit) const {
+    if (!edit.has_pose()) return false;
+    const std::size_t later = graph_.key_at(edit.scan.scan);
+    const std::size_t earlier =
+        edit.kind == GraphEdit::Kind::close ? graph_.key_at(edit.earlier.scan) : 0;
+    return std::ranges::any_of(carried_, [&](const CarriedPiece& piece) {
+        return piece.other_tour && earlier < piece.first && piece.first <= later;
+    });
+}
+
+void Registration::Impl::bend(const GraphEdit& edit) {
+    switch (edit.kind) {
+        case GraphEdit::Kind::refuse:
+            part(edit);
+            break;
+        case GraphEdit::Kind::slip:
+            say_of_step(edit, slip_variances());
+            break;
+        case GraphEdit::Kind::close: {
+            const PoseEdge edge = edge_by_hand(edit);
+            graph_.edges.push_back(edge);
+            loops_.push_back(loop_by_hand(edit, edge));
+            break;
+        }
+        case GraphEdit::Kind::fix:
+            graph_.edges.push_back(edge_by_hand(edit));
+            break;
+    }
+}
+
+void Registration::Impl::unbend(const GraphEdit& edit) {
+    if (edit.kind == GraphEdit::Kind::slip) say_of_step(edit, Eigen::Vector3d::Zero());
+    if (edit.has_pose()) {
+        const PoseEdge made = edge_by_hand(edit);
+        std::erase_if(graph_.edges, [&](const PoseEdge& edge) {
+            return edge.kind == EdgeKind::by_hand && edge.from == made.from && edge.to == made.to &&
+                   edge.z == made.z;
+        });
+    }
+    if (edit.kind == GraphEdit::Kind::close) part(edit);
+    if (edit.kind != GraphEdit::Kind::refuse) return;
+    // What it has kept out.
+    for (LoopRecord& loop : refused_) {
+        if (loop.refused_from != edit.scan.scan) continue;
+        const GraphEdit found{
+            GraphEdit::Kind::close, {loop.scan}, {loop.earlier}, loop.pose_earlier_scan};
+        graph_.edges.push_back(edge_by_hand(found));
+        loop.verdict = LoopVerdict::closed;
+        loop.refused_from.reset();
+        loops_.push_back(loop);
+    }
+    std::erase_if(refused_,
+                  [](const LoopRecord& loop) { return loop.verdict == LoopVerdict::closed; });
+}
+
+/// Takes apart what two passages were joined by, but what is by hand and stays.
+void Registration::Impl::part(const GraphEdit& edit) {
+    const Stretch stretch(graph_, edit);
+    std::erase_if(loops_, [&](const LoopRecord& loop) {
+        const bool named = loop.scan == edit.scan.scan && loop.earlier == edit.earlier.scan;
+        if (loop.by_hand ? !named : !stretch.has(loop)) return false;
+        if (edit.kind == GraphEdit::Kind::refuse) {
+            refused_.push_back(loop);
+            refused_.back().verdict = LoopVerdict::by_hand;
+            refused_.back().refused_from = edit.scan.scan;
+        }
+        return true;
+    });
+    std::size_t i = 0;
+    std::erase_if(graph_.edges, [&](const PoseEdge&) { return stretch.has_edge(i++); });
+}
+
+/// What the odometry says of the step to the scan, from key to key, is as unsure as that besides.
+void Registration::Impl::say_of_step(const GraphEdit& edit, const Eigen::Vector3d& variances) {
+    const auto key = static_cast<std::uint32_t>(
+        std::ranges::lower_bound(graph_.poses, edit.scan.scan, {}, &KeyPose::scan) -
+        graph_.poses.begin());
+    for (PoseEdge& edge : graph_.edges) {
+        if (edge.kind != EdgeKind::odometry || edge.to != key) continue;
+        edge.information = step_information(
+            odometry_variances(edge.z, params_.odometry_scale) + variances, 0.5 * edge.z.theta);
+    }
+}
+
+}  // namespace hitos
