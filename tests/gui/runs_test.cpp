@@ -8,18 +8,22 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QContextMenuEvent>
+#include <QDialogButtonBox>
 #include <QImage>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
 #include <cstdlib>
 
 #include "actions/command_line.hpp"
 #include "dialogs/export_dialog.hpp"
+#include "dialogs/source_dialog.hpp"
 #include "gui_fixture.hpp"
 #include "look/theme.hpp"
 #include "look/words_of.hpp"
@@ -525,6 +529,61 @@ void RunsTest::a_folder_of_results_is_opened() {
     CommandLine line;
     line.open = folder.toStdString();
     QCOMPARE(starting_configuration(line, f.files).filter.particles, 10);
+}
+
+void RunsTest::a_map_is_gone_on_with() {
+    RunsFixture f(false);
+    Configuracion mapped =
+        ArchivoConfiguracion::read(Fixture::source_file("config/recorded.cfg").toStdString());
+    mapped.source.file = Fixture::source_file("data/bigloop.log.gz").toStdString();
+    mapped.filter.particles = 3;
+    f.session.set_configuration(mapped);
+    f.run_to_end();
+    f.save_results("mapped");
+    // With the run's parameters, whatever the window has now.
+    f.session.set_configuration(
+        ArchivoConfiguracion::read(Fixture::source_file("config/thesis.cfg").toStdString()));
+    f.prompts.folders = {f.path("mapped")};
+    in_dialog<SourceDialog>([](SourceDialog& dialog) {
+        dialog.set_path(Fixture::source_file("data/bigloop.log.gz"));
+        const auto& fields = dialog.findChildren<QLineEdit*>();
+        const auto start = std::ranges::find_if(
+            fields, [](const QLineEdit* line) { return line->objectName().contains("start"); });
+        QVERIFY(start != fields.end() && (*start)->isVisible());
+        QTest::keyClicks(*start, "0,0,0");
+        QTRY_COMPARE(QString::fromStdString(dialog.source().start), QString("0,0,0"));
+        auto* ok = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        QTRY_VERIFY_WITH_TIMEOUT(ok->isEnabled(), 20000);
+        ok->click();
+    });
+    f.trigger("action_go_on");
+    QCOMPARE(f.prompts.warnings, QStringList());
+    const Configuracion& now = f.session.configuration();
+    QCOMPARE(QString::fromStdString(now.source.map), f.path("mapped"));
+    QCOMPARE(QString::fromStdString(now.source.start), QString("0,0,0"));
+    QCOMPARE(now.filter.particles, 3);
+    f.run_to_end();
+    QCOMPARE(f.steps(), 2 * 1050);
+    const RegistrationFigures told =
+        f.session.worker()
+            ->with_run([](const Algoritmo& run) { return run.registration()->figures(); })
+            .get();
+    QCOMPARE(told.later_tours.size(), 1U);
+    QVERIFY(told.later_tours.front().found.has_value());
+
+    // The command line has the same.
+    CommandLine line;
+    line.open = mapped.source.file;
+    line.values.map = f.path("mapped").toStdString();
+    line.values.localise = true;
+    const Configuracion localised = starting_configuration(line, f.files);
+    QVERIFY(localised.source.hold);
+    QCOMPARE(localised.filter.particles, 3);
+    QCOMPARE(localised.source.map, line.values.map);
+    // A folder of nothing is none.
+    f.prompts.folders = {f.path("user")};
+    f.trigger("action_go_on");
+    QCOMPARE(f.prompts.warnings.size(), 1);
 }
 
 void RunsTest::a_folder_without_results_is_told() {

@@ -119,6 +119,7 @@ class RunsTest : public QObject {
     void a_run_of_another_log_has_no_figures();
     void the_plot_of_the_errors_is_saved();
     void a_folder_of_results_is_opened();
+    void a_map_is_gone_on_with();
     void a_folder_without_results_is_told();
     void results_without_their_log_are_shown_without_grid();
     void a_long_run_is_kept_until_it_is_left();

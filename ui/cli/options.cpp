@@ -167,21 +167,7 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
     command.add_option("--edits", options.values.edits,
                        "File of what is changed by hand in the graph of this very tour: loops "
                        "refused or closed, scans fixed, steps that slipped (docs/formats.md)");
-    CLI::Option* map = command.add_option(
-        "--map", options.values.map,
-        "Folder with the results of a run: the robot, which may begin anywhere in its map, is "
-        "found in it, and the map goes on with this tour. With that run's parameters unless "
-        "--config or --preset say others");
-    command
-        .add_flag("--localise", options.values.localise,
-                  "Of the map of --map change nothing: find the robot in it and follow it")
-        ->needs(map);
-    command
-        .add_option("--near", options.values.near,
-                    "Where in that map this tour begins, give or take 3 m and 30 degrees, for "
-                    "places that look alike (default: anywhere)")
-        ->type_name("X,Y,DEGREES")
-        ->needs(map);
+    manual::add_map_options(command, options.values);
     command
         .add_option("--world-set", options.values.world_assignments,
                     "Change one value of the world that is simulated, e.g. --world-set "

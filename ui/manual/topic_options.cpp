@@ -27,4 +27,22 @@ void add_topic_options(CLI::App& program, TopicChoices& choices) {
         ->type_name("SECONDS");
 }
 
+void add_map_options(CLI::App& program, ValueChoices& choices) {
+    CLI::Option* map = program.add_option(
+        "--map", choices.map,
+        "Folder with the results of a run: the robot, which may begin anywhere in its map, is "
+        "found in it, and the map goes on with this tour. With that run's parameters unless "
+        "--config or --preset say others");
+    program
+        .add_flag("--localise", choices.localise,
+                  "Of the map of --map change nothing: find the robot in it and follow it")
+        ->needs(map);
+    program
+        .add_option("--near", choices.near,
+                    "Where in that map this tour begins, give or take 3 m and 30 degrees, for "
+                    "places that look alike (default: anywhere)")
+        ->type_name("X,Y,DEGREES")
+        ->needs(map);
+}
+
 }  // namespace hitos::manual

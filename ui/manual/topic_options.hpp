@@ -1,4 +1,4 @@
-// The options that say how a log is to be read, which both programs have.
+// The options that say how a log is to be read and into which map, which both programs have.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,5 +8,7 @@
 namespace hitos::manual {
 
 void add_topic_options(CLI::App& program, TopicChoices& choices);
+/// The map of an earlier run.
+void add_map_options(CLI::App& program, ValueChoices& choices);
 
 }  // namespace hitos::manual

@@ -13,6 +13,7 @@
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/results/kept_run.hpp"
+#include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "look/user_files.hpp"
@@ -42,10 +43,12 @@ std::string complaint_of_size(const std::string& text) {
                        text, kLeast, kMost);
 }
 
-/// A configuration, a preset, or the user's init.cfg, unless --preset auto asks for none.
+/// A configuration, a preset, the run of a map to go on with, or the user's init.cfg, unless
+/// --preset auto asks for none.
 bool parameters_named(const CommandLine& line, const UserFiles& files, Init init) {
     const bool wanted = line.preset == kAutoPreset;
     if (!line.config.empty() || (!line.preset.empty() && !wanted)) return true;
+    if (!line.values.map.empty()) return true;
     return !wanted && init == Init::read && files.has_init();
 }
 
@@ -83,6 +86,7 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
                     "Seed of a world's noise (default: as the world says, else the seed)")
         ->check(&complaint_of_seed);
     manual::add_topic_options(program, out.topics);
+    manual::add_map_options(program, out.values);
     program.add_option(
         "--threads", out.values.threads,
         "Threads, " + find_parameter("run.threads").allowed() + " (default: 0, all)");
@@ -164,6 +168,8 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
     } else if (named_results) {
         const std::filesystem::path folder = line.open;
         configuration = read_results(folder).configuration;  // which says what is wrong with it
+    } else if (!line.values.map.empty()) {
+        configuration = configuration_to_go_on(line.values.map);
     } else if (const std::string source = deciding_source(line, files, init); !source.empty()) {
         configuration = suited_configuration(source);
     } else if (init == Init::read && files.has_init()) {

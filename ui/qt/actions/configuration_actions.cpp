@@ -17,6 +17,7 @@
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/results/kept_run.hpp"
+#include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "look/parameter_text.hpp"
 #include "look/words_of.hpp"
@@ -231,6 +232,25 @@ bool ConfigurationActions::use(const Configuracion& configuration) {
 
 void ConfigurationActions::select_source() {
     choose_source(session_.configuration(), false);
+}
+
+/// The map of a run whose results are asked for, and a tour that is asked for in it.
+void ConfigurationActions::go_on() {
+    const QString folder = prompts_.choose_folder(
+        window_, tr("The results of the map to go on with"), files_.folder_to_open("results"));
+    if (folder.isEmpty()) return;
+    try {
+        const Configuracion& now = session_.configuration();
+        Configuracion next = configuration_to_go_on(folder.toStdString());
+        next.run = now.run;
+        next.source = now.source;
+        next.source.map = folder.toStdString();
+        next.source.start.clear();
+        files_.note_opened("results", folder);
+        choose_source(next, false);
+    } catch (const std::exception& error) {
+        prompts_.warn(window_, tr("There is no map to go on with"), words_of(error));
+    }
 }
 
 /// Asks for the source of a configuration in the form, beginning with its own; `suited` says what

@@ -42,6 +42,8 @@ class ConfigurationActions final : public QObject {
     void open_all(QStringList paths);
 
     void select_source();
+    /// With the map of a run that was saved.
+    void go_on();
     void configure();
     void configure_group(ParameterGroup group);
     void load();

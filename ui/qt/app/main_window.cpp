@@ -147,6 +147,7 @@ void MainWindow::set_up_view_buttons() {
 void MainWindow::connect_configuration() {
     connect(ui_->action_select_source, &QAction::triggered, configuration_,
             [this] { configuration_->select_source(); });
+    connect(ui_->action_go_on, &QAction::triggered, configuration_, &ConfigurationActions::go_on);
     connect(ui_->action_manual, &QAction::triggered, configuration_,
             &ConfigurationActions::configure);
     new FileMenus(files_, *configuration_, *ui_->menu_recent, *ui_->menu_presets,

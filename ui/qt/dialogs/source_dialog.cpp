@@ -136,7 +136,7 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
     set.odom_topic.clear();
     ReadOptions usual = for_another_recording(set);
     usual.odometry = set.odometry;  // which a preset says too
-    ui_->how->setChecked(set != usual);
+    ui_->how->setChecked(set != usual || !source_.map.empty());
     begin_check();
     fit_to_screen(*this);
 }
