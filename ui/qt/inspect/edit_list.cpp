@@ -83,6 +83,7 @@ EditList::EditList(Session& session, QWidget* parent) : QWidget(parent), session
     at_->setObjectName("edit_fix_at");
     at_->setToolTip(tr("x, y [m] and heading [°] in the map"));
     at_->setAccessibleName(at_->toolTip());
+    at_->setMinimumWidth(fontMetrics().horizontalAdvance("-100.000, -100.000, -180.00") + 16);
     row->addWidget(at_);
     before_ = new QPushButton(tr("As before"), bar);
     before_->setObjectName("edit_before");

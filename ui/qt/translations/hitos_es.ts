@@ -5516,6 +5516,14 @@
         <source>The graph is changed by hand; what follows is done again</source>
         <translation>El grafo está cambiado a mano; lo que sigue se hace de nuevo</translation>
     </message>
+    <message>
+        <source>The results of the map to go on with</source>
+        <translation>Los resultados del mapa con el que seguir</translation>
+    </message>
+    <message>
+        <source>There is no map to go on with</source>
+        <translation>No hay mapa con el que seguir</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::ConfigurationDialog</name>
@@ -5760,6 +5768,46 @@
     <message>
         <source>The step to %1 slipped</source>
         <translation>El paso a %1 patinó</translation>
+    </message>
+    <message>
+        <source>The scan that is shown was made there: it stays, and the map bends</source>
+        <translation>El barrido que se muestra se hizo ahí: se queda, y el mapa se dobla</translation>
+    </message>
+    <message>
+        <source>x, y [m] and heading [°] in the map</source>
+        <translation>x, y [m] y orientación [°] en el mapa</translation>
+    </message>
+    <message>
+        <source>As before</source>
+        <translation>Como antes</translation>
+    </message>
+    <message>
+        <source>Shows the map as it was before the last change</source>
+        <translation>Muestra el mapa como era antes del último cambio</translation>
+    </message>
+    <message>
+        <source>Fix scan %1 at</source>
+        <translation>Fijar el barrido %1 en</translation>
+    </message>
+    <message>
+        <source>error %1 → %2 m</source>
+        <translation>error %1 → %2 m</translation>
+    </message>
+    <message>
+        <source>χ² %1 → %2</source>
+        <translation>χ² %1 → %2</translation>
+    </message>
+    <message>
+        <source>up to %1 m moved</source>
+        <translation>movido hasta %1 m</translation>
+    </message>
+    <message>
+        <source>Foreseen, the scans are taken anew: %1.</source>
+        <translation>Previsto, los barridos se toman de nuevo: %1.</translation>
+    </message>
+    <message>
+        <source>By the last change: %1.</source>
+        <translation>Por el último cambio: %1.</translation>
     </message>
 </context>
 <context>
@@ -7095,6 +7143,14 @@
     <message>
         <source>loops: closed, refused, changed by hand</source>
         <translation>bucles: cerrados, rechazados, cambiados a mano</translation>
+    </message>
+    <message>
+        <source>Go on with a map…</source>
+        <translation>Seguir con un mapa…</translation>
+    </message>
+    <message>
+        <source>Another tour in the map of a run that was saved: the robot is found in it, and follows it or maps on</source>
+        <translation>Otro recorrido en el mapa de una ejecución guardada: se encuentra en él al robot, que lo sigue o continúa el mapa</translation>
     </message>
 </context>
 <context>
