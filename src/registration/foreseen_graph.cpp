@@ -101,17 +101,28 @@ bool Registration::Impl::foresee(const std::string& text) {
     const std::vector<GraphEdit> after = parse_graph_edits(text);
     corrections_.clear();
     if (graph_.size() < 2) return false;
-    std::vector<GraphEdit> made;
-    for (const GraphEdit& edit : after) {
-        if (contains(before, edit) || edit.scan.scan >= placed_.size()) continue;
-        if (finds_tour(edit)) return false;
-        made.push_back(edit);
-    }
+    // Of scans that have come.
+    const auto of_one = [&](const std::vector<GraphEdit>& edits,
+                            const std::vector<GraphEdit>& other) {
+        std::vector<GraphEdit> found;
+        for (const GraphEdit& edit : edits) {
+            if (edit.scan.scan < placed_.size() && !contains(other, edit)) found.push_back(edit);
+        }
+        return found;
+    };
+    const std::vector<GraphEdit> gone = of_one(before, after);
+    const std::vector<GraphEdit> made = of_one(after, before);
+    const auto far = [this](const GraphEdit& edit) { return reaches_far(edit); };
+    if (gone.empty() && made.empty()) return false;
+    if (std::ranges::any_of(gone, far) || std::ranges::any_of(made, far)) return false;
     const std::vector<KeyPose> keys = graph_.poses;
-    for (const GraphEdit& edit : before) {
-        if (!contains(after, edit)) unbend(edit);
-    }
+    for (const GraphEdit& edit : gone) unbend(edit);
     for (const GraphEdit& edit : made) bend(edit);
+    for (const std::vector<GraphEdit>& changed : {gone, made}) {
+        for (const GraphEdit& edit : changed) {
+            if (edit.kind == GraphEdit::Kind::slip) say_of_step(edit.scan.scan, after);
+        }
+    }
     PoseGraphSolver solver(graph_.size(), graph_.edges);
     // Robust weights would hold what was there against what is new and large.
     solver.solve(graph_.poses, solution(1, false));
@@ -124,14 +135,14 @@ bool Registration::Impl::foresee(const std::string& text) {
     return true;
 }
 
-/// Whether it lays a tour that nobody has found yet.
-bool Registration::Impl::finds_tour(const GraphEdit& edit) const {
-    if (!edit.has_pose()) return false;
-    const std::size_t later = graph_.key_at(edit.scan.scan);
-    const std::size_t earlier =
-        edit.kind == GraphEdit::Kind::close ? graph_.key_at(edit.earlier.scan) : 0;
-    return std::ranges::any_of(carried_, [&](const CarriedPiece& piece) {
-        return piece.other_tour && earlier < piece.first && piece.first <= later;
+/// Whether more depends on it than the graph tells: what is held stays as it is, and where a tour
+/// lies that began anywhere.
+bool Registration::Impl::reaches_far(const GraphEdit& edit) const {
+    if (placed_[edit.scan.scan].key < held_) return true;
+    if (edit.kind == GraphEdit::Kind::slip) return false;
+    const std::uint64_t earlier = edit.of_two() ? edit.earlier.scan : 0;
+    return std::ranges::any_of(figures_.later_tours, [&](const SecondTour& tour) {
+        return earlier < tour.begin && tour.begin <= edit.scan.scan;
     });
 }
 
@@ -141,7 +152,6 @@ void Registration::Impl::bend(const GraphEdit& edit) {
             part(edit);
             break;
         case GraphEdit::Kind::slip:
-            say_of_step(edit, slip_variances());
             break;
         case GraphEdit::Kind::close: {
             const PoseEdge edge = edge_by_hand(edit);
@@ -156,7 +166,6 @@ void Registration::Impl::bend(const GraphEdit& edit) {
 }
 
 void Registration::Impl::unbend(const GraphEdit& edit) {
-    if (edit.kind == GraphEdit::Kind::slip) say_of_step(edit, Eigen::Vector3d::Zero());
     if (edit.has_pose()) {
         const PoseEdge made = edge_by_hand(edit);
         std::erase_if(graph_.edges, [&](const PoseEdge& edge) {
@@ -197,15 +206,20 @@ void Registration::Impl::part(const GraphEdit& edit) {
     std::erase_if(graph_.edges, [&](const PoseEdge&) { return stretch.has_edge(i++); });
 }
 
-/// What the odometry says of the step to the scan, from key to key, is as unsure as that besides.
-void Registration::Impl::say_of_step(const GraphEdit& edit, const Eigen::Vector3d& variances) {
-    const auto key = static_cast<std::uint32_t>(
-        std::ranges::lower_bound(graph_.poses, edit.scan.scan, {}, &KeyPose::scan) -
-        graph_.poses.begin());
+/// What the odometry says of the way to the key at or behind a scan, with the slips on it.
+void Registration::Impl::say_of_step(std::uint64_t scan, std::span<const GraphEdit> edits) {
+    const auto key = static_cast<std::size_t>(
+        std::ranges::lower_bound(graph_.poses, scan, {}, &KeyPose::scan) - graph_.poses.begin());
+    if (key == graph_.size() || graph_.part_begin(key) == key) return;
+    const auto slips = std::ranges::count_if(edits, [&](const GraphEdit& edit) {
+        return edit.kind == GraphEdit::Kind::slip && edit.scan.scan <= graph_.poses[key].scan &&
+               edit.scan.scan > graph_.poses[key - 1].scan;
+    });
     for (PoseEdge& edge : graph_.edges) {
         if (edge.kind != EdgeKind::odometry || edge.to != key) continue;
-        edge.information = step_information(
-            odometry_variances(edge.z, params_.odometry_scale) + variances, 0.5 * edge.z.theta);
+        const Eigen::Vector3d variances = odometry_variances(edge.z, params_.odometry_scale) +
+                                          static_cast<double>(slips) * slip_variances();
+        edge.information = step_information(variances, 0.5 * edge.z.theta);
     }
 }
 

@@ -42,11 +42,11 @@ void Registration::Impl::edit_graph(std::vector<KeyPose>& before) {
 }
 
 /// That two keys lie as somebody says; those of a place that is known from the first one. A scan
-/// that is no key hangs on the last one before it.
+/// that is no key hangs on one.
 PoseEdge Registration::Impl::edge_by_hand(const GraphEdit& edit) const {
     const bool fix = edit.kind == GraphEdit::Kind::fix;
-    const std::size_t to = graph_.key_at(edit.scan.scan);
-    const std::size_t from = fix ? 0 : graph_.key_at(edit.earlier.scan);
+    const std::uint32_t to = placed_[edit.scan.scan].key;
+    const std::uint32_t from = fix ? 0 : placed_[edit.earlier.scan].key;
     Pose z = fix ? between(graph_.poses.front().pose, edit.pose) : edit.pose;
     if (graph_.poses[to].scan != edit.scan.scan) {
         z = compose(z, inverse(placed_[edit.scan.scan].pose_key_scan));
@@ -55,8 +55,7 @@ PoseEdge Registration::Impl::edge_by_hand(const GraphEdit& edit) const {
         z = compose(placed_[edit.earlier.scan].pose_key_scan, z);
     }
     const Eigen::Vector3d information = sigmas_by_hand(edit.kind).cwiseAbs2().cwiseInverse();
-    return {static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to), z,
-            information.asDiagonal().toDenseMatrix(), EdgeKind::by_hand};
+    return {from, to, z, information.asDiagonal().toDenseMatrix(), EdgeKind::by_hand};
 }
 
 LoopRecord Registration::Impl::loop_by_hand(const GraphEdit& edit, const PoseEdge& edge) {

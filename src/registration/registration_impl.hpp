@@ -93,11 +93,11 @@ class Registration::Impl {
     void edit_graph(std::vector<KeyPose>& before);
     PoseEdge edge_by_hand(const GraphEdit& edit) const;
     LoopRecord loop_by_hand(const GraphEdit& edit, const PoseEdge& edge);
-    bool finds_tour(const GraphEdit& edit) const;
+    bool reaches_far(const GraphEdit& edit) const;
     void bend(const GraphEdit& edit);
     void unbend(const GraphEdit& edit);
     void part(const GraphEdit& edit);
-    void say_of_step(const GraphEdit& edit, const Eigen::Vector3d& variances);
+    void say_of_step(std::uint64_t scan, std::span<const GraphEdit> edits);
     void weigh_loops();
     double tension(std::span<const PoseEdge> edges) const;
     double squared_distance(const PoseEdge& edge) const;

@@ -73,11 +73,12 @@ class Registration {
     /// then what it was.
     void set_edits(const std::string& edits);
 
-    /// The graph at once as other changes by hand bend it: what they name is taken out of it and put
-    /// into it, and it is solved from where it stands; correction() says how it moves. Nothing is
-    /// matched or looked for anew, so it is near what the tour gives with them and not the same: to
-    /// be looked at, no scan may follow. Returns whether it is: not where one of them lays a tour
-    /// that nobody has found. Throws ConfigError where they are none.
+    /// The graph at once as other changes by hand bend it: what they name is taken out of it and
+    /// put into it, and it is solved from where it stands; correction() says how it moves. Nothing
+    /// is matched or looked for anew, so it is near what the tour gives with them and not the same:
+    /// to be looked at, no scan may follow. Returns whether it is: not where the graph stays, nor
+    /// where a map that is held depends on a change, or where a second tour lies. Throws
+    /// ConfigError where they are none.
     bool foresee(const std::string& edits);
 
     /// A loop from one key scan to an earlier one as their passages lie best on each other, from

@@ -314,11 +314,7 @@ void RunWorker::take_edits(std::unique_lock<std::mutex>& lock) {
     // Said before the lock is let go, so that what is ordered meanwhile counts.
     budget_ = edit_target_ - (from ? from->steps() : 0);
     stepping_ = true;
-    const bool rested = run_.finished() || run_.steps() == edit_target_;
-    lock.unlock();
-    const bool foreseen = rested && run_.foresee(edits);
-    lock.lock();
-    if (foreseen) publish_snapshot(lock, true);
+    if (edit_target_ == (run_.finished() ? kToTheEnd : run_.steps())) foresee(edits, lock);
     lock.unlock();
     run_.set_edits(edits);
     leave_for(from.get());
@@ -333,6 +329,18 @@ void RunWorker::take_edits(std::unique_lock<std::mutex>& lock) {
     progress_.state = budget_ > 0            ? Progress::State::running
                       : progress_.steps == 0 ? Progress::State::ready
                                              : Progress::State::paused;
+}
+
+/// A picture of the run as it will about be. Who has no memory for it goes without.
+void RunWorker::foresee(const std::string& edits, std::unique_lock<std::mutex>& lock) {
+    try {
+        lock.unlock();
+        const bool foreseen = run_.foresee(edits);
+        lock.lock();
+        if (foreseen) publish_snapshot(lock, true);
+    } catch (const std::exception&) {
+        if (!lock.owns_lock()) lock.lock();
+    }
 }
 
 void RunWorker::step(std::unique_lock<std::mutex>& lock) {
@@ -387,8 +395,9 @@ void RunWorker::note_progress() {
 }
 
 void RunWorker::publish_snapshot(std::unique_lock<std::mutex>& lock, bool foreseen) {
-    const SnapshotParts parts = std::exchange(snapshot_wanted_, std::nullopt).value_or(parts_);
+    const SnapshotParts parts = snapshot_wanted_.value_or(parts_);
     parts_ = parts;
+    if (!foreseen) snapshot_wanted_.reset();  // else the run's own is still to come
     const bool rests = foreseen || budget_ == 0 || waits_for_pace();
     lock.unlock();
     const double begin = thread_seconds();

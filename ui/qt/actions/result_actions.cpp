@@ -73,8 +73,18 @@ MapWindow* ResultActions::open_window(QPointer<MapWindow>& place, const QString&
     return place;
 }
 
+/// Whether the run is not where the views are, which is told.
+bool ResultActions::only_foreseen() {
+    const bool foreseen = session_.snapshot() != nullptr && session_.of_run() == nullptr;
+    if (foreseen) {
+        emit notice(
+            tr("What is shown is foreseen; the run is not there yet. Try again when it is."));
+    }
+    return foreseen;
+}
+
 void ResultActions::view_best() {
-    if (session_.progress().steps == 0) return;
+    if (session_.progress().steps == 0 || only_foreseen()) return;
     const auto snapshot = session_.snapshot();
     // The newest state, which while the run goes on is a few steps after the one in the views.
     auto moment = session_.worker()->with_run([](const Algoritmo& run) { return best_of(run); });
@@ -104,7 +114,7 @@ void ResultActions::view_particle() {
 }
 
 void ResultActions::view_grid_of(int particle) {
-    if (session_.worker() == nullptr) return;
+    if (session_.worker() == nullptr || only_foreseen()) return;
     MapWindow* map = open_window(particle_, tr("Grid map of particle %1").arg(particle),
                                  MapWindow::Show::result);
     // The run may be in the middle of a slow step: the window does not wait for its end.
@@ -140,7 +150,7 @@ void ResultActions::list_skipped() {
 }
 
 void ResultActions::save_map() {
-    if (session_.progress().steps == 0) return;
+    if (session_.progress().steps == 0 || only_foreseen()) return;
     at_chosen_scan([this] {
         save_moment(moment_of(std::nullopt), has_particles(session_.configuration())
                                                  ? tr("Save best particle's map")
@@ -179,7 +189,7 @@ void ResultActions::at_chosen_scan(const std::function<void()>& save) {
 }
 
 void ResultActions::save_map_of(int particle) {
-    if (session_.progress().steps == 0) return;
+    if (session_.progress().steps == 0 || only_foreseen()) return;
     save_moment(moment_of(static_cast<std::size_t>(particle)),
                 tr("Save the map of particle %1").arg(particle));
 }
@@ -217,7 +227,7 @@ void ResultActions::save_moment(const std::shared_future<ParticleDetails>& momen
 }
 
 void ResultActions::save_path_of(int particle) {
-    if (session_.progress().steps == 0) return;
+    if (session_.progress().steps == 0 || only_foreseen()) return;
     const auto moment = moment_of(static_cast<std::size_t>(particle));
     const QString path = save_until_done(
         prompts_, window_,
@@ -236,7 +246,8 @@ bool ResultActions::writing() const {
 }
 
 void ResultActions::save_results() {
-    if (!session_.has_source() || session_.progress().steps == 0 || writing()) return;
+    if (!session_.has_source() || session_.progress().steps == 0 || writing() || only_foreseen())
+        return;
     at_chosen_scan([this] { ask_for_results(); });
 }
 

@@ -63,6 +63,7 @@ class ResultActions final : public QObject {
 
     /// What one hypothesis believes at this moment, however long the user thinks about a name.
     std::shared_future<ParticleDetails> moment_of(std::optional<std::size_t> particle) const;
+    bool only_foreseen();
     void save_moment(const std::shared_future<ParticleDetails>& moment, const QString& title);
     QWidget* window_in_use() const;
     void at_chosen_scan(const std::function<void()>& save);

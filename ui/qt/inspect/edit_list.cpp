@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "hitos/capture/joined_tour.hpp"
 #include "hitos/services/evaluation/measures.hpp"
@@ -122,7 +123,9 @@ void EditList::refresh() {
     take_back_->setVisible(!edits.empty());
     take_back_->setEnabled(list_->currentRow() >= 0);
     const auto snapshot = session_.snapshot();
-    if (snapshot && snapshot->steps > 0 && !at_->hasFocus()) {
+    // What somebody has written belongs to the scan that it was written for.
+    if (snapshot && snapshot->steps > 0 &&
+        (snapshot->steps != std::exchange(at_steps_, snapshot->steps) || !at_->isModified())) {
         const Pose& pose = snapshot->best_trajectory.back().pose;
         at_->setText(QString("%1, %2, %3")
                          .arg(pose.x, 0, 'f', 3)

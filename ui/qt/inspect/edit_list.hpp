@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <cstdint>
 #include <vector>
 
 #include "hitos/registration/graph_edit.hpp"
@@ -43,6 +44,7 @@ class EditList final : public QWidget {
     QPushButton* slip_;
     QPushButton* fix_;
     QLineEdit* at_;
+    std::uint64_t at_steps_ = 0;  // whose place stands there
     QPushButton* before_;
     QLabel* effect_;
 };

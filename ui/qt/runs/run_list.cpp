@@ -63,7 +63,7 @@ RunList::RunList(Session& session, QObject* parent) : QObject(parent), session_(
     });
     connect(&session, &Session::configuration_changed, this, &RunList::changed);
     connect(&session, &Session::snapshot_changed, this, [this] {
-        const std::shared_ptr<const Snapshot> now = session_.snapshot();
+        const std::shared_ptr<const Snapshot> now = session_.of_run();
         if (now && has_ended(*now)) ended_ = now;
         emit present_changed();
     });
@@ -74,7 +74,7 @@ RunList::RunList(Session& session, QObject* parent) : QObject(parent), session_(
 }
 
 std::shared_ptr<const KeptRun> RunList::present() const {
-    const std::shared_ptr<const Snapshot> now = session_.snapshot();
+    const std::shared_ptr<const Snapshot> now = session_.of_run();
     if (present_ && now == of_) return present_;
     of_ = now;
     present_ = std::make_shared<const KeptRun>(run_at(now.get()));
@@ -164,7 +164,7 @@ ListedRun RunList::add(ListedRun listed) {
 
 /// Whole, where it has come to its end, whatever scan it was taken back to since.
 void RunList::keep_present() {
-    const std::shared_ptr<const Snapshot> state = ended_ ? ended_ : session_.snapshot();
+    const std::shared_ptr<const Snapshot> state = ended_ ? ended_ : session_.of_run();
     // One scan shows nothing that could be compared.
     if (!state || state->steps <= 1) return;
     KeptRun run = run_at(state.get());

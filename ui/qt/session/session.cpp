@@ -118,14 +118,16 @@ void Session::set_edits(const std::string& edits) {
     }
     emit leaving();
     std::string edits_now = std::exchange(configuration_.registration.edits, edits);
-    std::shared_ptr<const Snapshot> before = std::move(snapshot_);
-    // Who takes the last change back sees at once what was there before it: it comes again.
+    // Who takes the last changes back sees at once what was there before them: it comes again.
     std::shared_ptr<Snapshot> again;
-    if (before && before_ && edits == edits_before_ && before_->revision == before->revision) {
+    const bool elsewhere =
+        of_run() && (!before_edits() || progress().state == Progress::State::running);
+    if (before_ && edits == edits_before_ && !elsewhere) {
         again = std::make_shared<Snapshot>(*before_);
         again->foreseen = true;
     }
-    if (!before) {  // nothing was seen of the last ones yet
+    std::shared_ptr<const Snapshot> before = of_run();
+    if (!before) {  // the run was not yet where the last ones lead
         before = before_;
         edits_now = edits_before_;
     }
@@ -278,6 +280,7 @@ void Session::tick() {
     if (requested_ && latest && latest != snapshot_ && !foreseen_twice) {
         requested_ = false;
         snapshot_ = latest;
+        if (!before_edits()) shows_before_ = false;
         const double begin = thread_seconds();
         emit snapshot_changed();
         const double cost =
@@ -291,6 +294,11 @@ void Session::tick() {
     if (!requested_ && behind && (!running || now_us >= request_not_before_us_)) {
         requested_ = true;
         worker_->request_snapshot(parts_);
+    }
+    if (!running && now.steps == 0 && snapshot_) {  // what was foreseen does not come
+        snapshot_ = nullptr;
+        shows_before_ = false;
+        emit snapshot_changed();
     }
     if (!running && !behind && told_.steps == now.steps && !changed_state) timer_.stop();
 }

@@ -60,7 +60,12 @@ class Session final : public QObject {
     /// The newest one; null before the first. While show_before() asks for it, the one from before
     /// the last changes by hand.
     std::shared_ptr<const Snapshot> snapshot() const { return shows_before_ ? before_ : snapshot_; }
-    /// What was shown before the last set_edits(), where the same scans are shown again; else null.
+    /// That of the run as it is or was; null before, and where what is shown is foreseen.
+    std::shared_ptr<const Snapshot> of_run() const {
+        return snapshot_ && !snapshot_->foreseen ? snapshot_ : nullptr;
+    }
+    /// What was there before the last changes by hand, where the same scans are shown again; null
+    /// where they are not.
     std::shared_ptr<const Snapshot> before_edits() const;
     bool shows_before() const { return shows_before_; }
     /// Until something else is asked of the run.
@@ -134,7 +139,7 @@ class Session final : public QObject {
     Pace pace_;
     std::unique_ptr<RunWorker> worker_;
     std::shared_ptr<const Snapshot> snapshot_;
-    std::shared_ptr<const Snapshot> before_;  ///< the last changes by hand
+    std::shared_ptr<const Snapshot> before_;  ///< the last changes by hand, of the run
     std::string edits_before_;                ///< of it
     bool shows_before_ = false;
     QTimer timer_;

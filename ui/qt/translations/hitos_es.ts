@@ -7597,6 +7597,10 @@
         <source>As it was at its end, scan %1</source>
         <translation>Como estaba al final, barrido %1</translation>
     </message>
+    <message>
+        <source>What is shown is foreseen; the run is not there yet. Try again when it is.</source>
+        <translation>Lo que se muestra está previsto; la ejecución aún no ha llegado. Pruebe de nuevo cuando esté.</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::RunControls</name>

@@ -95,7 +95,7 @@ ReferenceMeter::~ReferenceMeter() {
 }
 
 void ReferenceMeter::consider() {
-    const auto snapshot = session_.snapshot();
+    const auto snapshot = session_.of_run();
     const References& references = session_.references();
     if (!snapshot || snapshot->revision == last_revision_ ||
         (!references.map && !references.trajectory)) {

@@ -180,6 +180,7 @@ class RunWorker {
     void go_to(std::uint64_t steps, std::unique_lock<std::mutex>& lock);
     /// Takes the wanted changes by hand, and goes to a state that they do not touch.
     void take_edits(std::unique_lock<std::mutex>& lock);
+    void foresee(const std::string& edits, std::unique_lock<std::mutex>& lock);
     /// To a checkpoint, or to the beginning.
     void leave_for(const RunCheckpoint* checkpoint);
     void publish_snapshot(std::unique_lock<std::mutex>& lock, bool foreseen = false);

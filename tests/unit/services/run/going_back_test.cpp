@@ -173,7 +173,14 @@ TEST(RunWorker, ChangesByHandGiveWhatTheyGiveFromTheBeginning) {
             hold.wait();
         });
         std::shared_ptr<const Snapshot> foreseen;
-        while (!foreseen) foreseen = worker.latest_snapshot();
+        const auto patience = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+        while (!foreseen && std::chrono::steady_clock::now() < patience) {
+            foreseen = worker.latest_snapshot();
+        }
+        if (!foreseen) {
+            seen.set_value();
+            FAIL() << algorithm;
+        }
         EXPECT_TRUE(foreseen->foreseen) << algorithm;
         EXPECT_EQ(foreseen->steps, plain->steps()) << algorithm;
         EXPECT_NE(foreseen->best_trajectory, plain->best_trajectory()) << algorithm;
@@ -185,6 +192,24 @@ TEST(RunWorker, ChangesByHandGiveWhatTheyGiveFromTheBeginning) {
         EXPECT_EQ(worker.progress().state, State::finished);
         expect_same_state(worker, *run_with(configuration, refused));
         EXPECT_EQ(worker.figures_since(0).size(), plain->steps());
+        // What is asked for meanwhile is the run's own, when it is there.
+        worker.set_edits("");
+        worker.request_snapshot();
+        worker.wait();
+        EXPECT_FALSE(worker.latest_snapshot()->foreseen) << algorithm;
+        expect_same_state(worker, *plain);
+        worker.set_edits(refused);
+        worker.wait();
+        // Of a change behind where the run has gone back to nothing is foreseen.
+        worker.set_edits("fix 800 1 2 0");
+        worker.seek(400);
+        worker.wait();
+        worker.set_edits("");
+        worker.wait();
+        EXPECT_EQ(worker.progress().steps, 400U);
+        worker.set_edits(refused);
+        worker.seek(RunWorker::kToTheEnd);
+        worker.wait();
         // Others later, while the run is on its way; and all of them taken back.
         worker.set_edits(refused + "; slip 700");
         worker.set_edits("slip 700; fix 800 1 2 0");
