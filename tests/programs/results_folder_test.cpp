@@ -313,7 +313,7 @@ TEST_F(ResultsFolder, ALogWhoseModeChangesIsTheSame) {
 }
 
 TEST_F(ResultsFolder, AShortageOfMemorySaysWhatToLower) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef HITOS_SANITIZED
     GTEST_SKIP() << "sanitizers need more address space than may be limited";
 #endif
     ASSERT_EQ(shell(run(1)).status, 0);

@@ -203,7 +203,7 @@ TEST_F(Simulate, RunTakesAWorldFile) {
 
 /// Each of them stands among all walls; kept with all that came before they would take gigabytes.
 TEST_F(Simulate, BoxesTakeTheMemoryOfBoxes) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef HITOS_SANITIZED
     GTEST_SKIP() << "sanitizers need more address space than may be limited";
 #endif
     std::ofstream world(folder_ / "boxes.toml");

@@ -91,8 +91,8 @@ void check_same(const std::vector<StatePart>& expected, const std::vector<StateP
     }
 }
 
-std::shared_ptr<const RunCheckpoint> Algoritmo::checkpoint() const {
-    if (!options_.go_back || !remembered_->whole() || finished()) return nullptr;
+std::shared_ptr<const RunCheckpoint> Algoritmo::checkpoint(bool over_too) const {
+    if (!options_.go_back || !remembered_->whole() || (finished() && !over_too)) return nullptr;
     std::optional<RunCheckpoint> now = copy();
     return now ? std::make_shared<const RunCheckpoint>(*std::move(now)) : nullptr;
 }

@@ -37,6 +37,7 @@ void RunWorker::run(std::uint64_t steps, const StopRules& rules) {
     if (progress_.state == Progress::State::finished || progress_.state == Progress::State::failed)
         return;
     seek_wanted_.reset();
+    foreseen_ = false;
     budget_ = steps;
     rules_ = rules;
     pacer_.begin();
@@ -103,6 +104,7 @@ void RunWorker::restart() {
     const std::scoped_lock lock(mutex_);
     budget_ = 0;
     seek_wanted_.reset();
+    foreseen_ = false;
     restart_wanted_ = true;
     progress_ = {};
     snapshot_ = nullptr;
@@ -148,7 +150,6 @@ void RunWorker::set_edits(const std::string& edits) {
     progress_.error = {};
     progress_.failure = nullptr;
     snapshot_ = nullptr;
-    foreseen_ = false;
     wake_.notify_one();
 }
 
@@ -227,6 +228,7 @@ void RunWorker::fail(Message error, std::exception_ptr failure) {
     idle_.notify_all();
     if (restart_wanted_ || edits_wanted_) return;  // then it no longer matters
     if (in_a_step) note_progress();
+    foreseen_ = false;
     budget_ = 0;
     seek_wanted_.reset();
     progress_.state = Progress::State::failed;
@@ -314,7 +316,9 @@ void RunWorker::take_edits(std::unique_lock<std::mutex>& lock) {
     // Said before the lock is let go, so that what is ordered meanwhile counts.
     budget_ = edit_target_ - (from ? from->steps() : 0);
     stepping_ = true;
-    if (edit_target_ == (run_.finished() ? kToTheEnd : run_.steps())) foresee(edits, lock);
+    const bool again = std::exchange(foreseen_, false) && bent_;
+    const bool rests = edit_target_ == (run_.finished() ? kToTheEnd : run_.steps());
+    if (rests || again) foresee(edits, !rests, lock);
     lock.unlock();
     run_.set_edits(edits);
     leave_for(from.get());
@@ -325,22 +329,28 @@ void RunWorker::take_edits(std::unique_lock<std::mutex>& lock) {
         figures_.erase(figures_.begin() + static_cast<std::ptrdiff_t>(run_.steps()),
                        figures_.end());
     note_progress();
+    if (budget_ == 0) bent_ = nullptr;
     if (seek_wanted_) return;  // a newer one
     progress_.state = budget_ > 0            ? Progress::State::running
                       : progress_.steps == 0 ? Progress::State::ready
                                              : Progress::State::paused;
 }
 
-/// A picture of the run as it will about be. Who has no memory for it goes without.
-void RunWorker::foresee(const std::string& edits, std::unique_lock<std::mutex>& lock) {
+void RunWorker::foresee(const std::string& edits, bool from_the_last,
+                        std::unique_lock<std::mutex>& lock) {
+    lock.unlock();
+    bool foreseen = false;
     try {
-        lock.unlock();
-        const bool foreseen = run_.foresee(edits);
+        if (from_the_last) run_.go_to(*bent_);
+        foreseen = run_.foresee(edits);
+        bent_ = foreseen ? run_.checkpoint(true) : nullptr;
         lock.lock();
         if (foreseen) publish_snapshot(lock, true);
-    } catch (const std::exception&) {
+    } catch (const std::exception&) {  // who has no memory for it goes without
         if (!lock.owns_lock()) lock.lock();
+        bent_ = nullptr;
     }
+    foreseen_ = foreseen && !seek_wanted_ && !restart_wanted_;
 }
 
 void RunWorker::step(std::unique_lock<std::mutex>& lock) {
@@ -359,6 +369,7 @@ void RunWorker::step(std::unique_lock<std::mutex>& lock) {
     if (restart_wanted_ || edits_wanted_) return;  // this step's outcome no longer matters
     progress_.step_seconds = std::chrono::duration<double>(end - begin).count();
     note_progress();
+    if (budget_ == 0 || !more) bent_ = nullptr;
     if (!more) {
         budget_ = 0;
         progress_.state = Progress::State::finished;
@@ -444,9 +455,7 @@ void RunWorker::publish_snapshot(std::unique_lock<std::mutex>& lock, bool forese
     snapshot->step_grid = snapshot->grid_behind ? grid_.last() : grid_.now(run_);
     snapshot->seconds = thread_seconds() - begin;
     lock.lock();
-    if (restart_wanted_ || edits_wanted_) return;
-    snapshot_ = std::move(snapshot);
-    foreseen_ = foreseen && !seek_wanted_;
+    if (!restart_wanted_ && !edits_wanted_) snapshot_ = std::move(snapshot);
 }
 
 }  // namespace hitos

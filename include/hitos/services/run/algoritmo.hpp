@@ -63,8 +63,9 @@ class Algoritmo {
     /// From the beginning of the tour, as if nothing had been done.
     void restart();
     /// The state as it is, to come back to; null where the options do not ask for it, the
-    /// algorithm cannot be copied, the tour is over or too long to be remembered.
-    std::shared_ptr<const RunCheckpoint> checkpoint() const;
+    /// algorithm cannot be copied, the tour is too long to be remembered, or over, unless
+    /// `over_too`.
+    std::shared_ptr<const RunCheckpoint> checkpoint(bool over_too = false) const;
     /// Goes back to it, or ahead: what follows is the same as it was, to the last bit. It must be
     /// of this run, since its last restart().
     void go_to(const RunCheckpoint& checkpoint);

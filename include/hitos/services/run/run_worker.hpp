@@ -130,9 +130,9 @@ class RunWorker {
     void seek(std::uint64_t steps);
     /// Other changes by hand of the graph (RegistrationParams::edits): the run goes back to before
     /// the first scan that they touch, and as fast as possible to where it was, or was sent to by
-    /// seek(), and rests there. What was published before is forgotten; where the run rested there
-    /// is a foreseen snapshot at once, and no other until the run rests again. A failed run begins
-    /// anew.
+    /// seek(), and rests there. What was published before is forgotten; where the run rested, or is
+    /// on its way by other such changes, there is a foreseen snapshot at once, and no other until
+    /// the run rests again. A failed run begins anew.
     /// Throws ConfigError where they are none.
     void set_edits(const std::string& edits);
     /// Blocks until nothing is left to do (end, failure, pause, steps done).
@@ -180,7 +180,8 @@ class RunWorker {
     void go_to(std::uint64_t steps, std::unique_lock<std::mutex>& lock);
     /// Takes the wanted changes by hand, and goes to a state that they do not touch.
     void take_edits(std::unique_lock<std::mutex>& lock);
-    void foresee(const std::string& edits, std::unique_lock<std::mutex>& lock);
+    /// A picture of the run as it will about be, from where it is or from the last one.
+    void foresee(const std::string& edits, bool from_the_last, std::unique_lock<std::mutex>& lock);
     /// To a checkpoint, or to the beginning.
     void leave_for(const RunCheckpoint* checkpoint);
     void publish_snapshot(std::unique_lock<std::mutex>& lock, bool foreseen = false);
@@ -194,6 +195,7 @@ class RunWorker {
     Algoritmo run_;   // the worker's own, once it runs
     ShownGrid grid_;  // likewise
     RunCheckpoints checkpoints_;
+    std::shared_ptr<const RunCheckpoint> bent_;  // the state that was foreseen
 
     mutable std::mutex mutex_;
     std::condition_variable_any wake_;
@@ -212,7 +214,7 @@ class RunWorker {
     std::chrono::steady_clock::time_point seek_began_;
     std::optional<SnapshotParts> snapshot_wanted_;
     SnapshotParts parts_;    // of the last one
-    bool foreseen_ = false;  // what was published is, until the run rests
+    bool foreseen_ = false;  // what was published is, until the run rests or is sent elsewhere
     bool busy_ = false;
     bool stepping_ = false;  // a step is under way
     std::vector<std::function<void(const Algoritmo&)>> tasks_;

@@ -166,27 +166,36 @@ TEST(RunWorker, ChangesByHandGiveWhatTheyGiveFromTheBeginning) {
         worker.run();
         worker.wait();
         // What is foreseen is shown alone until the run is there, even to who asks for more.
-        std::promise<void> seen;
-        worker.set_edits(refused);
-        auto first = worker.with_run([&, hold = seen.get_future().share()](const Algoritmo&) {
-            worker.request_snapshot();
-            hold.wait();
-        });
+        // The worker rests between two steps as long as somebody looks.
         std::shared_ptr<const Snapshot> foreseen;
-        const auto patience = std::chrono::steady_clock::now() + std::chrono::minutes(2);
-        while (!foreseen && std::chrono::steady_clock::now() < patience) {
+        const auto look = [&](const std::string& edits, const std::string& next) {
+            std::promise<void> seen;
+            std::promise<void> there;
+            worker.set_edits(edits);
+            worker.with_run([](const Algoritmo&) {}).wait();  // of a step that was under way
+            auto rest = worker.with_run([&](const Algoritmo&) {
+                there.set_value();
+                seen.get_future().wait();
+            });
+            there.get_future().wait();
             foreseen = worker.latest_snapshot();
-        }
-        if (!foreseen) {
+            worker.request_snapshot();
+            if (!next.empty()) worker.set_edits(next);
             seen.set_value();
-            FAIL() << algorithm;
-        }
+            rest.wait();
+        };
+        look(refused, {});
+        ASSERT_TRUE(foreseen) << algorithm;
         EXPECT_TRUE(foreseen->foreseen) << algorithm;
         EXPECT_EQ(foreseen->steps, plain->steps()) << algorithm;
         EXPECT_NE(foreseen->best_trajectory, plain->best_trajectory()) << algorithm;
-        seen.set_value();
-        first.wait();
-        EXPECT_EQ(worker.latest_snapshot(), foreseen) << algorithm;
+        // Another change while the tour is taken again.
+        look(refused + "; fix 800 1 2 0", refused);
+        ASSERT_TRUE(foreseen) << algorithm;
+        EXPECT_TRUE(foreseen->foreseen) << algorithm;
+        EXPECT_EQ(foreseen->steps, plain->steps()) << algorithm;
+        EXPECT_NEAR(foreseen->best_trajectory[799].pose.x, 1.0, 0.1) << algorithm;
+        EXPECT_NEAR(foreseen->best_trajectory[799].pose.y, 2.0, 0.1) << algorithm;
         worker.wait();
         EXPECT_FALSE(worker.latest_snapshot()->foreseen) << algorithm;
         EXPECT_EQ(worker.progress().state, State::finished);
