@@ -290,8 +290,7 @@ void RunWorker::go_to(std::uint64_t steps, std::unique_lock<std::mutex>& lock) {
     lock.lock();
     stepping_ = false;
     if (restart_wanted_ || edits_wanted_) return;
-    rate_since_ = std::chrono::steady_clock::now();
-    rate_steps_ = run_.steps();
+    begin_rate();
     note_progress();
     pacer_.begin();
     note_due();
@@ -328,6 +327,7 @@ void RunWorker::take_edits(std::unique_lock<std::mutex>& lock) {
     if (figures_.size() > run_.steps())
         figures_.erase(figures_.begin() + static_cast<std::ptrdiff_t>(run_.steps()),
                        figures_.end());
+    begin_rate();
     note_progress();
     if (budget_ == 0) bent_ = nullptr;
     if (seek_wanted_) return;  // a newer one
@@ -384,6 +384,11 @@ void RunWorker::step(std::unique_lock<std::mutex>& lock) {
     }
     if (budget_ == 0 && !seek_wanted_) progress_.state = Progress::State::paused;
     note_due();
+}
+
+void RunWorker::begin_rate() {
+    rate_since_ = std::chrono::steady_clock::now();
+    rate_steps_ = run_.steps();
 }
 
 void RunWorker::note_progress() {

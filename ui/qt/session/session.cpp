@@ -117,11 +117,11 @@ void Session::set_edits(const std::string& edits) {
         return;
     }
     emit leaving();
-    std::string edits_now = std::exchange(configuration_.registration.edits, edits);
     // Who takes the last changes back sees at once what was there before them: it comes again.
     std::shared_ptr<Snapshot> again;
     const bool elsewhere =
         of_run() && (!before_edits() || progress().state == Progress::State::running);
+    std::string edits_now = std::exchange(configuration_.registration.edits, edits);
     if (before_ && edits == edits_before_ && !elsewhere) {
         again = std::make_shared<Snapshot>(*before_);
         again->foreseen = true;
@@ -152,7 +152,9 @@ void Session::begin_anew() {
 }
 
 std::shared_ptr<const Snapshot> Session::before_edits() const {
-    return before_ && snapshot_ && before_->revision == snapshot_->revision ? before_ : nullptr;
+    const bool other = edits_before_ != configuration_.registration.edits;
+    const bool same_scans = before_ && snapshot_ && before_->revision == snapshot_->revision;
+    return other && same_scans ? before_ : nullptr;
 }
 
 void Session::show_before(bool before) {

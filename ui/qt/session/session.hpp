@@ -64,8 +64,8 @@ class Session final : public QObject {
     std::shared_ptr<const Snapshot> of_run() const {
         return snapshot_ && !snapshot_->foreseen ? snapshot_ : nullptr;
     }
-    /// What was there before the last changes by hand, where the same scans are shown again; null
-    /// where they are not.
+    /// What was there before the last changes by hand, where the same scans are shown again with
+    /// others; else null.
     std::shared_ptr<const Snapshot> before_edits() const;
     bool shows_before() const { return shows_before_; }
     /// Until something else is asked of the run.

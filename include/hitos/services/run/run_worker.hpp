@@ -185,6 +185,7 @@ class RunWorker {
     /// To a checkpoint, or to the beginning.
     void leave_for(const RunCheckpoint* checkpoint);
     void publish_snapshot(std::unique_lock<std::mutex>& lock, bool foreseen = false);
+    void begin_rate();  // of steps, from where the run is
     void note_progress();
     const StepFigures& noted_figures();
     bool waits_for_pace() const;  // with the mutex held

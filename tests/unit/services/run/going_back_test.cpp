@@ -199,6 +199,7 @@ TEST(RunWorker, ChangesByHandGiveWhatTheyGiveFromTheBeginning) {
         worker.wait();
         EXPECT_FALSE(worker.latest_snapshot()->foreseen) << algorithm;
         EXPECT_EQ(worker.progress().state, State::finished);
+        EXPECT_LT(worker.progress().steps_per_second, 1e6) << algorithm;
         expect_same_state(worker, *run_with(configuration, refused));
         EXPECT_EQ(worker.figures_since(0).size(), plain->steps());
         // What is asked for meanwhile is the run's own, when it is there.
