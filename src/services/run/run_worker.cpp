@@ -1,22 +1,13 @@
 #include "hitos/services/run/run_worker.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/thread_clock.hpp"
-#include "hitos/services/evaluation/quality.hpp"
 #include "hitos/slam/association_record.hpp"
 
 namespace hitos {
-
-ParticleDetails details_of(const Algoritmo& run, std::size_t hypothesis) {
-    ParticleDetails details{
-        hypothesis, run.filter().map(hypothesis), {}, run.trajectory_of(hypothesis)};
-    details.line_extents = run.line_extents().of(details.map, details.path);
-    return details;
-}
 
 RunWorker::RunWorker(const Configuracion& configuration, std::unique_ptr<TourReader> reader,
                      const AlgoritmoOptions& options)
@@ -417,44 +408,8 @@ void RunWorker::publish_snapshot(std::unique_lock<std::mutex>& lock, bool forese
     const bool rests = foreseen || budget_ == 0 || waits_for_pace();
     lock.unlock();
     const double begin = thread_seconds();
-    auto snapshot = std::make_shared<Snapshot>();
-    snapshot->parts = parts;
-    snapshot->steps = run_.steps();
-    snapshot->revision = run_.revision();
+    auto snapshot = std::make_shared<Snapshot>(snapshot_of(run_, parts));
     snapshot->foreseen = foreseen;
-    snapshot->scan = run_.scan();
-    snapshot->observation = run_.observation();
-    const auto associations = run_.filter().associations();
-    snapshot->associations.assign(associations.begin(), associations.end());
-    snapshot->best_pose = run_.filter().best_pose();
-    snapshot->best_map = run_.filter().best_map();
-    snapshot->hypotheses = run_.filter().hypotheses();
-    snapshot->best_hypothesis = run_.filter().best_hypothesis();
-    snapshot->mean_pose = run_.filter().mean_pose();
-    snapshot->pose_covariance = run_.filter().pose_covariance();
-    if (parts.joint_covariance) snapshot->joint_covariance = run_.filter().joint_covariance();
-    if (parts.particle && *parts.particle < snapshot->hypotheses.size()) {
-        snapshot->particle = details_of(run_, *parts.particle);
-    }
-    if (parts.ancestry) snapshot->ancestry = run_.filter().ancestry();
-    snapshot->best_trajectory = run_.best_trajectory();
-    snapshot->online_trajectory = run_.online_trajectory();
-    if (const Registration* registration = run_.registration()) {
-        const auto keys = registration->keys();
-        snapshot->keys.assign(keys.begin(), keys.end());
-        snapshot->loops = run_loops(registration->loops(), registration->refused_loops(),
-                                    snapshot->best_trajectory);
-        if (parts.key_scans) {
-            snapshot->key_scans = run_.key_scans();
-            snapshot->chi_square = registration->chi_square();
-        }
-    }
-    if (run_.finished()) {
-        snapshot->advice = warnings(run_.evidence());
-        std::ranges::move(run_.advice(), std::back_inserter(snapshot->advice));
-    }
-    snapshot->line_extents = run_.line_extents().of(snapshot->best_map, snapshot->best_trajectory);
-    snapshot->odometry_trajectory = run_.odometry_trajectory();
     snapshot->checkpoints = checkpoints_.all();
     snapshot->grid_behind = !rests && grid_.may_wait(run_);
     snapshot->step_grid = snapshot->grid_behind ? grid_.last() : grid_.now(run_);

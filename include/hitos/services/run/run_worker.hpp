@@ -79,6 +79,9 @@ struct Snapshot {
     double seconds = 0.0;  ///< of the worker's time that making it took
 };
 
+/// Of the state as it is, without its grid and checkpoints, which are the worker's.
+Snapshot snapshot_of(const Algoritmo& run, const SnapshotParts& parts);
+
 /// How far a run has come; cheap to ask for.
 struct Progress {
     enum class State { ready, running, paused, finished, failed };
