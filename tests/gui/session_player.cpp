@@ -373,7 +373,7 @@ bool parse_words(const QString& words, CommandLine& line) {
     pointers.reserve(arguments.size());
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     if (parse(static_cast<int>(pointers.size()), pointers.data(), line)) return false;
-    return line.screenshot.empty() && !line.benchmark && line.drive_pace == 0;
+    return line.screenshot.empty();
 }
 
 QString play_in(const CommandLine& line, std::vector<Step> steps, int patience_ms, Effort& effort) {

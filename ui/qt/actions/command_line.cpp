@@ -19,7 +19,6 @@
 #include "look/user_files.hpp"
 #include "manual/describe.hpp"
 #include "manual/topic_options.hpp"
-#include "world/live_drive.hpp"
 
 namespace hitos::window {
 namespace {
@@ -127,13 +126,6 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
             "joint, measurements, runs")
         ->check(CLI::IsMember({"main", "world", "plots", "landmarks", "particles", "associations",
                                "joint", "measurements", "runs"}));
-    program.add_flag("--benchmark", out.benchmark,
-                     "Run the log with and without the window; print speeds and response times");
-    program
-        .add_option("--benchmark-drive", out.drive_pace,
-                    "Drive a robot through the world for half a minute, so many times as fast as a "
-                    "clock; print how late its scans are mapped")
-        ->check(CLI::Range(1, LiveDrive::kFastest));
     manual::add_description(program);
     try {
         program.parse(argc, argv);

@@ -34,9 +34,6 @@ struct CommandLine {
     std::uint64_t steps = 0;
     double scale = 1.0;
     std::string show = "main";
-    // Measuring.
-    bool benchmark = false;
-    int drive_pace = 0;  ///< at which a robot is driven to be measured; 0: none is
 };
 
 /// Whether the user's init.cfg counts.

@@ -9,15 +9,13 @@
 #include <chrono>
 #include <exception>
 #include <limits>
-#include <optional>
 
 #include "actions/command_line.hpp"
 #include "actions/pace_control.hpp"
 #include "application.hpp"
-#include "benchmark.hpp"
-#include "drive_benchmark.hpp"
 #include "hitos/base/process.hpp"
 #include "language.hpp"
+#include "look/prompts.hpp"
 #include "look/screen_fit.hpp"
 #include "look/words_of.hpp"
 #include "main_window.hpp"
@@ -34,37 +32,10 @@ using hitos::StopByRequest;
 /// Where no screen limits it.
 constexpr QSize kWithoutScreen(1360, 860);
 
-/// Pictures and measurements need no display, and leave the user's files alone.
+/// Pictures need no display, and leave the user's files alone.
 bool without_display(const CommandLine& line) {
-    return !line.screenshot.empty() || line.benchmark || line.drive_pace > 0;
+    return !line.screenshot.empty();
 }
-
-/// Where nobody can answer: what a dialog would warn of goes to stderr.
-class NobodyThere final : public Prompts {
-  public:
-    QString open_file(QWidget*, const FileQuestion&) override { return {}; }
-    QString save_file(QWidget*, const FileQuestion&) override { return {}; }
-    QString choose_folder(QWidget*, const QString&, const QString&) override { return {}; }
-    bool confirm(QWidget*, const Question&) override { return false; }
-    std::optional<int> number(QWidget*, const QString&, const QString&, int, int) override {
-        return std::nullopt;
-    }
-    std::optional<int> choice(QWidget*, const QString&, const QString&,
-                              const QStringList&) override {
-        return std::nullopt;
-    }
-    std::optional<QString> text(QWidget*, const QString&, const QString&) override {
-        return std::nullopt;
-    }
-    void warn(QWidget*, const QString& title, const QString& text) override {
-        fmt::print(stderr, "hitos: {}: {}\n", title.toStdString(), text.toStdString());
-        warned_ = true;
-    }
-    bool warned() const { return warned_; }
-
-  private:
-    bool warned_ = false;
-};
 
 int run_window(QApplication& application, UserFiles& files, const CommandLine& line) {
     apply_theme(application, line.theme.empty() && !without_display(line)
@@ -84,13 +55,9 @@ int run_window(QApplication& application, UserFiles& files, const CommandLine& l
     open_named(window, line, without_display(line) ? Audience::nobody : Audience::somebody);
     if (nobody.warned()) return 1;
     int code = 0;
-    if (!line.screenshot.empty()) {
+    if (without_display(line)) {
         take_screenshot(window, session, line);
         code = nobody.warned() ? 1 : 0;
-    } else if (line.benchmark) {
-        code = run_benchmark(window, session);
-    } else if (line.drive_pace > 0) {
-        code = run_drive_benchmark(window, session, line.drive_pace);
     } else {
         window.show();
         begin(window, session, line);

@@ -20,7 +20,7 @@ void open_named(MainWindow& window, const CommandLine& line, Audience audience) 
     const QString distances = QString::fromStdString(line.distances);
     if (!distances.isEmpty())
         alone ? window.measurements().open(distances) : window.open_distances(distances);
-    if (line.open.empty() && line.config.empty() && !line.benchmark) window.offer_start();
+    if (line.open.empty() && line.config.empty()) window.offer_start();
 }
 
 void begin(MainWindow& window, Session& session, const CommandLine& line) {

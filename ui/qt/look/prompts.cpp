@@ -1,5 +1,7 @@
 #include "prompts.hpp"
 
+#include <fmt/core.h>
+
 #include <QAbstractFileIconProvider>
 #include <QCoreApplication>
 #include <QDir>
@@ -120,6 +122,11 @@ class FolderNameDialog final : public OwnFileDialog {
 };
 
 }  // namespace
+
+void NobodyThere::warn(QWidget* /*parent*/, const QString& title, const QString& text) {
+    fmt::print(stderr, "hitos: {}: {}\n", title.toStdString(), text.toStdString());
+    warned_ = true;
+}
 
 QString with_ending(const QString& path, const QString& chosen, const QString& otherwise) {
     if (!QFileInfo(path).suffix().isEmpty()) return path;

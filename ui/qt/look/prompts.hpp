@@ -67,6 +67,30 @@ class QtPrompts final : public Prompts {
     void warn(QWidget* parent, const QString& title, const QString& text) override;
 };
 
+/// Where nobody can answer: what a dialog would warn of goes to stderr.
+class NobodyThere final : public Prompts {
+  public:
+    QString open_file(QWidget*, const FileQuestion&) override { return {}; }
+    QString save_file(QWidget*, const FileQuestion&) override { return {}; }
+    QString choose_folder(QWidget*, const QString&, const QString&) override { return {}; }
+    bool confirm(QWidget*, const Question&) override { return false; }
+    std::optional<int> number(QWidget*, const QString&, const QString&, int, int) override {
+        return std::nullopt;
+    }
+    std::optional<int> choice(QWidget*, const QString&, const QString&,
+                              const QStringList&) override {
+        return std::nullopt;
+    }
+    std::optional<QString> text(QWidget*, const QString&, const QString&) override {
+        return std::nullopt;
+    }
+    void warn(QWidget* parent, const QString& title, const QString& text) override;
+    bool warned() const { return warned_; }
+
+  private:
+    bool warned_ = false;
+};
+
 /// The path; where its name has no ending, with the one that the chosen filter asks for ("Drawings
 /// (*.dxf)"), or `otherwise` where the filter names none. An ending that was typed stays: it says
 /// what is written.

@@ -1,10 +1,8 @@
-// How much the window costs, and how fast it answers.
+// How much the window costs, how fast it answers, and how late a driven robot's scans are mapped.
 #pragma once
 
 #include <cstddef>
 #include <vector>
-
-#include "hitos/services/configuration/configuracion.hpp"
 
 namespace hitos::window {
 
@@ -20,7 +18,13 @@ inline double quantile(const std::vector<double>& ascending, double part) {
 /// Runs the session's log with and without the window, in turns, and prints steps per second,
 /// pictures per second and how late input was answered. Returns the exit code: 0 where every answer
 /// came within 50 ms, no view was drawn more than 60 times a second, and the window took less than
-/// a fifth of the speed. Throws hitos::Error where the log is too short.
-int run_benchmark(MainWindow& window, Session& session);
+/// a tenth of the speed. Throws hitos::Error where the log is too short.
+int measure_cost(MainWindow& window, Session& session);
+
+/// Drives the robot through the session's world, from way point to way point, `pace` times as fast
+/// as a clock, and prints how long after it was made each scan was in the map. Returns the exit
+/// code: 0 where every scan came within 50 ms and the pace was kept. Throws hitos::Error where the
+/// session has no world.
+int measure_lateness(MainWindow& window, Session& session, int pace);
 
 }  // namespace hitos::window

@@ -1,5 +1,3 @@
-#include "benchmark.hpp"
-
 #include <fmt/core.h>
 
 #include <QCoreApplication>
@@ -13,10 +11,11 @@
 #include <thread>
 #include <vector>
 
+#include "app/main_window.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/thread_clock.hpp"
 #include "hitos/workbench/open_tour.hpp"
-#include "main_window.hpp"
+#include "measures.hpp"
 #include "session/background.hpp"
 #include "session/session.hpp"
 #include "views/grid_view.hpp"
@@ -137,7 +136,7 @@ double speed(const Slice& slice) {
 
 /// The same log twice, step by step beside each other: once bare, once in the window. Slices of
 /// both take turns, so that whatever else the machine does hits both alike.
-Figures measure(MainWindow& window, Session& session) {
+Figures measured(MainWindow& window, Session& session) {
     Figures figures;
     // At the window's run's priority: only the window makes a difference.
     const auto bare = in_background([&] {
@@ -200,11 +199,11 @@ Jumps measure_jumps(Session& session) {
 
 }  // namespace
 
-int run_benchmark(MainWindow& window, Session& session) {
+int measure_cost(MainWindow& window, Session& session) {
     window.show();
     session.restart();
     QCoreApplication::processEvents();
-    const Figures figures = measure(window, session);
+    const Figures figures = measured(window, session);
     if (figures.slowdowns.empty()) {
         throw Error(
             verbatim(fmt::format("{}: too short to measure; a log of {} scans or more is needed",

@@ -1,5 +1,3 @@
-#include "drive_benchmark.hpp"
-
 #include <fmt/core.h>
 
 #include <QElapsedTimer>
@@ -10,9 +8,9 @@
 #include <thread>
 #include <vector>
 
-#include "benchmark.hpp"
+#include "app/main_window.hpp"
 #include "hitos/base/error.hpp"
-#include "main_window.hpp"
+#include "measures.hpp"
 #include "session/session.hpp"
 #include "world/live_drive.hpp"
 #include "world/world_window.hpp"
@@ -52,7 +50,7 @@ class Watch {
 
 }  // namespace
 
-int run_drive_benchmark(MainWindow& window, Session& session, int pace) {
+int measure_lateness(MainWindow& window, Session& session, int pace) {
     const std::string file = session.configuration().source.file;
     if (!is_world_file(file)) {
         throw Error(verbatim(file + ": is no world to drive a robot through"));
