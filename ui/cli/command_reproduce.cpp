@@ -18,7 +18,6 @@
 #include "hitos/workbench/reproduction_maps.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "options.hpp"
-#include "progress_line.hpp"
 #include "report.hpp"
 #include "study_console.hpp"
 
@@ -33,39 +32,6 @@ struct ReproduceArguments {
     bool as_published = false;
     bool hypotheses = false;
     bool json = false;
-};
-
-/// Runs of one reading, told on a line of its own.
-class Teller {
-  public:
-    StudyObserver observer() {
-        return [this](const StudyProgress& progress) {
-            if (!begun_) {
-                line_->say(fmt::format("{} to do, {} found done", plural(progress.runs, "run"),
-                                       progress.reused));
-                begun_ = true;
-            }
-            if (!progress.failure.empty()) line_->say("run failed: " + progress.failure);
-            finished_ = progress.finished;
-            line_->show(progress.finished, progress.fraction,
-                        fmt::format("run {} of {}: {}", progress.running_number, progress.runs,
-                                    progress.running));
-        };
-    }
-    void begin(const Reading& reading) {
-        finish();
-        line_.emplace("runs");
-        line_->say("reading " + reading.name);
-    }
-    void finish() {
-        if (begun_) line_->finish(finished_);
-        begun_ = false;
-    }
-
-  private:
-    std::optional<ProgressLine> line_{std::in_place, "run"};
-    bool begun_ = false;
-    std::size_t finished_ = 0;
 };
 
 std::string reading_names() {
@@ -86,13 +52,13 @@ bool tell_failures(const Reproduction& result) {
 
 /// The figures with tables of errors.
 int reproduce_tables(ReproduceArguments options, Report& report) {
-    Teller teller;
+    StudyTeller teller;
     options.reproduction.observer = teller.observer();
     const Reproduction result = hitos::reproduce(options.reproduction);
     std::vector<Reproduction> tried;
     if (options.hypotheses) {
         tried = try_readings(options.reproduction, result,
-                             [&](const Reading& next) { teller.begin(next); });
+                             [&](const Reading& next) { teller.begin("reading " + next.name); });
     }
     teller.finish();
     if (result.computed + result.reused == result.failures.size()) {
@@ -129,7 +95,7 @@ int reproduce_experiments(const ReproduceArguments& options, const std::vector<s
                           Report& report) {
     ReproductionOptions maps = options.reproduction;
     maps.only = only;
-    Teller teller;
+    StudyTeller teller;
     maps.observer = teller.observer();
     const MapReproduction result = reproduce_maps(maps);
     teller.finish();

@@ -83,8 +83,9 @@ void leave(int status) {
 
 std::string figures_list() {
     std::string text;
-    for (const Measure* measure : taken_measures())
-        text += fmt::format("  {:<20} {}\n", measure->word, measure->purpose);
+    for (const Measure* measure : taken_measures()) {
+        if (!measure->detail) text += fmt::format("  {:<20} {}\n", measure->word, measure->purpose);
+    }
     text.pop_back();
     return text;
 }

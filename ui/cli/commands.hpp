@@ -17,6 +17,7 @@ void add_graph(CLI::App& program);
 void add_study(CLI::App& program);
 void add_simulate(CLI::App& program);
 void add_world(CLI::App& program);
+void add_benchmark(CLI::App& program);
 void add_reproduce(CLI::App& program);
 void add_parameters(CLI::App& program);
 void add_presets(CLI::App& program);

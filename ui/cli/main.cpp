@@ -29,6 +29,7 @@ int run(int argc, char** argv) {
     hitos::cli::add_relations(program);
     hitos::cli::add_graph(program);
     hitos::cli::add_study(program);
+    hitos::cli::add_benchmark(program);
     hitos::cli::add_reproduce(program);
     hitos::cli::add_parameters(program);
     hitos::cli::add_presets(program);

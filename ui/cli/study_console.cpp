@@ -11,7 +11,6 @@
 #include "hitos/simulation/worlds/odometry_noise.hpp"
 #include "hitos/workbench/study_noise.hpp"
 #include "options.hpp"
-#include "progress_line.hpp"
 #include "report.hpp"
 
 namespace hitos::cli {
@@ -24,6 +23,32 @@ void tell_damage(const StudyOutcome& outcome) {
 }
 
 }  // namespace
+
+StudyObserver StudyTeller::observer() {
+    return [this](const StudyProgress& progress) {
+        if (!begun_) {
+            line_->say(fmt::format("{} to do, {} found done", plural(progress.runs, "run"),
+                                   progress.reused));
+            begun_ = true;
+        }
+        if (!progress.failure.empty()) line_->say("run failed: " + progress.failure);
+        finished_ = progress.finished;
+        line_->show(progress.finished, progress.fraction,
+                    fmt::format("run {} of {}: {}", progress.running_number, progress.runs,
+                                progress.running));
+    };
+}
+
+void StudyTeller::begin(const std::string& words) {
+    finish();
+    line_.emplace("runs");
+    line_->say(words);
+}
+
+void StudyTeller::finish() {
+    if (begun_) line_->finish(finished_);
+    begun_ = false;
+}
 
 void add_summary_form(CLI::App& command, SummaryForm& form) {
     CLI::Option* option =
@@ -66,30 +91,17 @@ int conduct(const Study& study, const StudyRunOptions& options, const StudyShard
     StudyOptions how;
     how.threads = options.threads;
     how.shard = shard;
-    ProgressLine line("run");
-    bool begun = false;
-    std::size_t finished = 0;
-    how.observer = [&](const StudyProgress& progress) {
-        if (!begun) {
-            line.say(fmt::format("{} to do, {} found done", plural(progress.runs, "run"),
-                                 progress.reused));
-            begun = true;
-        }
-        if (!progress.failure.empty()) line.say("run failed: " + progress.failure);
-        finished = progress.finished;
-        line.show(progress.finished, progress.fraction,
-                  fmt::format("run {} of {}: {}", progress.running_number, progress.runs,
-                              progress.running));
-    };
+    StudyTeller teller;
+    how.observer = teller.observer();
     const StopSource stop;
     how.stop = stop.token();
     const StudyOutcome outcome = std::move(run_studies({&study, 1}, how).front());
-    if (begun && !outcome.stopped) line.finish(finished);
+    if (!outcome.stopped) teller.finish();
     if (outcome.stopped) {
-        line.say(fmt::format("stopped: {} of {} done; the same command goes on with the rest",
-                             outcome.computed + outcome.reused - outcome.failed,
-                             plural(outcome.plan.runs(), "run")));
-        if (outcome.beside) line.say("the study that was in the folder before is still in place");
+        teller.say(fmt::format("stopped: {} of {} done; the same command goes on with the rest",
+                               outcome.computed + outcome.reused - outcome.failed,
+                               plural(outcome.plan.runs(), "run")));
+        if (outcome.beside) teller.say("the study that was in the folder before is still in place");
         return StopByRequest::status();
     }
     check_any(outcome);

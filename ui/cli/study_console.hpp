@@ -2,15 +2,34 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "hitos/services/study/study.hpp"
+#include "progress_line.hpp"
 
 namespace hitos::cli {
 
 /// The exit status where a run of several failed.
 inline constexpr int kSomeFailed = 2;
+
+/// The runs of studies as they are done, on stderr.
+class StudyTeller {
+  public:
+    /// As long as this lives.
+    StudyObserver observer();
+    /// A line of its own, and a new count of runs below it.
+    void begin(const std::string& words);
+    void finish();
+    void say(const std::string& words) { line_->say(words); }
+
+  private:
+    std::optional<ProgressLine> line_{std::in_place, "run"};
+    bool begun_ = false;
+    std::size_t finished_ = 0;
+};
 
 /// The form of a study's summary on standard output: a table, or one of these.
 struct SummaryForm {

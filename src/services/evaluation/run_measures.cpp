@@ -8,6 +8,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "hitos/services/evaluation/calibration.hpp"
 #include "hitos/services/evaluation/grid_blur.hpp"
 #include "hitos/slam/slam_filter.hpp"
 
@@ -22,10 +23,39 @@ std::optional<double> member(const std::optional<Error>& error, double Error::*o
     return error ? std::optional((*error).*of) : std::nullopt;
 }
 
+/// Shares of the truth in the regions, first of the pose, then of the landmarks.
+template <Coverage Calibration::*of, std::size_t region>
+std::optional<double> inside(const MeasuredRun& run) {
+    if (run.calibration == nullptr || (run.calibration->*of).count() == 0) return std::nullopt;
+    return (run.calibration->*of).inside(region);
+}
+template <Coverage Calibration::*of>
+std::optional<double> nees(const MeasuredRun& run) {
+    if (run.calibration == nullptr || (run.calibration->*of).count() == 0) return std::nullopt;
+    return (run.calibration->*of).mean();
+}
+template <Coverage Calibration::*of>
+std::vector<Measure> calibration_measures(const std::string& word, const std::string& label) {
+    const std::string share = "share of the true " + label + "s in the filter's region of ";
+    std::vector<Measure> measures{
+        {word + "_in_95", label + " in 95 %", About::path, "", 3, "", &inside<of, 2>,
+         share + "95 %"},
+        {word + "_nees", label + " NEES", About::path, "", 2, "", &nees<of>,
+         "mean of the " + label + "'s squared error in units of its covariance"},
+        {word + "_in_50", label + " in 50 %", About::path, "", 3, "", &inside<of, 0>,
+         share + "50 %"},
+        {word + "_in_68", label + " in 68 %", About::path, "", 3, "", &inside<of, 1>,
+         share + "68 %"},
+        {word + "_in_99", label + " in 99 %", About::path, "", 3, "", &inside<of, 3>,
+         share + "99 %"}};
+    for (Measure& measure : measures) measure.detail = !measure.word.ends_with("95");
+    return measures;
+}
+
 std::vector<Measure> all_measures() {
     using Run = const MeasuredRun&;
     using Figure = std::optional<double>;
-    return {
+    std::vector<Measure> measures{
         {"error_m", "error", About::map, "m", 3, "/map_error/mean_m",
          [](Run run) { return member(run.errors.map_error, &MapError::mean_m); },
          "mean distance of landmarks to the nearest of the reference map",
@@ -67,6 +97,11 @@ std::vector<Measure> all_measures() {
         {"loops_closed", "loops", About::course, "", 0, "/quality/loops_closed"},
         {"loops_false", "false loops", About::course, "", 0, "/quality/loops_false"},
         {"run_seconds", "time", About::course, "s", 2, "/run_seconds"}};
+    for (auto& more : {calibration_measures<&Calibration::pose>("pose", "pose"),
+                       calibration_measures<&Calibration::landmarks>("landmark", "landmark")}) {
+        measures.insert(measures.end(), more.begin(), more.end());
+    }
+    return measures;
 }
 
 /// What tables, records and Python's arrays say beside the figures.

@@ -203,13 +203,17 @@ class Crew {
                        .examine = false,
                        .extractor = std::move(parts.extractor)});
         constexpr std::uint64_t kTellEvery = 64;
+        const std::optional<Truth> truth = run.reader().truth();
+        Calibration calibration;
         while (run.step()) {
+            if (truth) study::note_pose(calibration, run, truth->path);
             if (options_.stop.stop_requested()) return std::nullopt;
             if (run.steps() % kTellEvery == 0) {
                 tell(place, run.reader().progress().value_or(0.0), nullptr);
             }
         }
-        return study::measure_run(study, folders_[s].work(), plan, number, run, options_.stop);
+        return study::measure_run(study, folders_[s].work(), plan, number, run, calibration,
+                                  options_.stop);
     }
 
     /// `part` of the task is done; with its record, all of it.

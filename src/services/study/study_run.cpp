@@ -2,6 +2,7 @@
 
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/drawing/picture_file.hpp"
+#include "hitos/services/evaluation/nees.hpp"
 #include "hitos/services/evaluation/reference_fit.hpp"
 #include "hitos/services/grid/grid_builder.hpp"
 #include "hitos/services/results/results.hpp"
@@ -54,9 +55,18 @@ References references_of(const Study& study, const Algoritmo& run) {
 
 }  // namespace
 
+void note_pose(Calibration& calibration, const Algoritmo& run, const Trajectory& truth) {
+    const std::uint64_t scan = run.steps() - 1;
+    if (scan >= truth.size()) return;
+    const SlamFilter& filter = run.filter();
+    const auto nees = pose_nees(filter.mean_pose(), filter.pose_covariance(), truth[scan].pose);
+    if (nees && std::isfinite(*nees)) calibration.pose.add(*nees);
+}
+
 std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& layout,
                                        const StudyPlan& plan, std::size_t number,
-                                       const Algoritmo& run, const std::stop_token& stop) {
+                                       const Algoritmo& run, Calibration& calibration,
+                                       const std::stop_token& stop) {
     StudyRecord record;
     const LandmarkMap map = run.filter().best_map();
     const std::filesystem::path map_path = map_file(layout, plan, number);
@@ -74,7 +84,10 @@ std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& la
         if (stop.stop_requested()) return std::nullopt;
     }
     const Grid* grid = builder ? &builder->grid() : nullptr;
-    record.figures = figures_of({run.evidence(), run.filter(), map, path, errors, grid});
+    if (calibration.pose.count() > 0)
+        count_landmarks(calibration.landmarks, mixed_map(run.filter()), study.reference);
+    record.figures =
+        figures_of({run.evidence(), run.filter(), map, path, errors, grid, &calibration});
     if (grid != nullptr && plan.pictured(number) && !grid->empty()) {
         const MapImage image = shrunk(map_image(*grid), kLongestPicture);
         write_picture(image.picture, grid_file(layout, plan, number));

@@ -8,6 +8,7 @@
 #include "hitos/base/text_table.hpp"
 #include "hitos/services/study/study_result.hpp"
 #include "json_input.hpp"
+#include "spread_json.hpp"
 
 namespace hitos {
 namespace {
@@ -51,7 +52,8 @@ TextTable pretty_table(const StudyPlan& plan, std::span<const StudyCell> cells, 
     }
     std::vector<const Measure*> measures = taken_measures();
     std::erase_if(measures, [&](const Measure* measure) {
-        return !(measure->of_landmarks() && plan.has_reference()) && !has_figures(cells, *measure);
+        return measure->detail || (!(measure->of_landmarks() && plan.has_reference()) &&
+                                   !has_figures(cells, *measure));
     });
     const auto unit_of = [&](std::string unit) {
         return in_latex ? std::move(unit) : printed_unit(std::move(unit));
@@ -275,11 +277,9 @@ std::string summary_latex(const StudyPlan& plan, std::span<const StudyCell> cell
                        reference_sentence(plan, cells), damage_sentence(cells));
 }
 
-namespace {
-
 using nlohmann::ordered_json;
 
-ordered_json json_of(const std::optional<Spread>& spread) {
+ordered_json spread_json(const std::optional<Spread>& spread) {
     if (!spread) return nullptr;
     ordered_json json{{"measured", spread->count},
                       {"mean", spread->mean},
@@ -289,8 +289,6 @@ ordered_json json_of(const std::optional<Spread>& spread) {
     return json;
 }
 
-}  // namespace
-
 std::string summary_json(const StudyPlan& plan, std::span<const StudyCell> cells) {
     ordered_json rows = ordered_json::array();
     const std::vector<std::string> keys = plan.keys();
@@ -299,7 +297,7 @@ std::string summary_json(const StudyPlan& plan, std::span<const StudyCell> cells
         for (std::size_t i = 0; i < keys.size(); ++i) values[keys[i]] = cell.texts[i];
         ordered_json row{{"values", values}, {"runs", cell.finished}, {"failed", cell.failed}};
         for (const Measure* measure : taken_measures())
-            row[measure->word] = json_of(cell.figures[*measure]);
+            row[measure->word] = spread_json(cell.figures[*measure]);
         row["skipped_lines"] = cell.skipped_lines;
         row["stamps_backwards"] = cell.stamps_backwards;
         rows.push_back(std::move(row));

@@ -2,9 +2,6 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
-#include <algorithm>
-#include <set>
-#include <tuple>
 #include <utility>
 
 #include "hitos/base/error.hpp"
@@ -14,89 +11,15 @@
 #include "hitos/workbench/shipped_data.hpp"
 #include "hitos/workbench/thesis_experiments.hpp"
 #include "hitos/workbench/thesis_figures.hpp"
+#include "toml_entry.hpp"
 
 namespace hitos {
 namespace {
 
-/// One entry of a list of tables. What is missing, unknown or of another kind is told with its
-/// line.
-class DataEntry {
-  public:
-    DataEntry(const std::string& file, const toml::table& table) : file_(file), table_(table) {}
-
-    bool has(std::string_view key) { return find(key) != nullptr; }
-
-    std::string text(std::string_view key) {
-        return value<std::string>(at(key), key, "a text in quotes");
-    }
-    template <class Value>
-    Value value_or(std::string_view key, Value otherwise, const char* expected) {
-        const toml::node* node = find(key);
-        return node != nullptr ? value<Value>(*node, key, expected) : otherwise;
-    }
-    /// The words of a text, between spaces.
-    std::vector<std::string> words(std::string_view key) {
-        const std::string whole = text(key);
-        const std::vector<std::string_view> fields = input::fields(whole);
-        return {fields.begin(), fields.end()};
-    }
-    /// A list of lists, [[Values...], ...]; one at least.
-    template <class... Values>
-    std::vector<std::tuple<Values...>> rows(std::string_view key, const char* expected) {
-        std::vector<std::tuple<Values...>> rows;
-        const toml::node& whole = at(key);
-        const toml::array* list = whole.as_array();
-        if (list == nullptr || list->empty()) refuse(whole, key, expected);
-        for (const toml::node& node : *list) {
-            const toml::array* row = node.as_array();
-            if (row == nullptr || row->size() != sizeof...(Values)) refuse(node, key, expected);
-            [&]<std::size_t... I>(std::index_sequence<I...>) {
-                rows.push_back({value<Values>((*row)[I], key, expected)...});
-            }
-            (std::index_sequence_for<Values...>());
-        }
-        return rows;
-    }
-    /// Refuses the keys that nobody asked for.
-    void end() const {
-        for (const auto& [key, node] : table_) {
-            if (asked_.contains(std::string(key.str()))) continue;
-            throw FormatError(file_, key.source().begin.line,
-                              HITOS_TEXT("Errors", "no such key; expected one of %1"),
-                              fmt::format("{}", fmt::join(asked_, ", ")));
-        }
-    }
-
-  private:
-    const toml::node* find(std::string_view key) {
-        asked_.emplace(key);
-        return table_.get(key);
-    }
-    const toml::node& at(std::string_view key) {
-        const toml::node* node = find(key);
-        if (node == nullptr) refuse(table_, key, "this key");
-        return *node;
-    }
-    [[noreturn]] void refuse(const toml::node& node, std::string_view key,
-                             const char* expected) const {
-        throw FormatError(file_, node.source().begin.line, HITOS_TEXT("Errors", "%1: expected %2"),
-                          key, expected);
-    }
-    template <class Value>
-    Value value(const toml::node& node, std::string_view key, const char* expected) const {
-        if (const auto value = node.value<Value>()) return *value;
-        refuse(node, key, expected);
-    }
-
-    const std::string& file_;
-    const toml::table& table_;
-    std::set<std::string> asked_;
-};
-
 /// One thing made of every entry [[name]] of a file.
 template <class Thing>
 std::vector<Thing> read_entries(const std::filesystem::path& path, std::string_view name,
-                                Thing (*made)(DataEntry&)) {
+                                Thing (*made)(TomlEntry&)) {
     const std::string file = path.string();
     const std::string text = input::read_text(path, input::kLargestSettings);
     std::vector<Thing> things;
@@ -108,7 +31,7 @@ std::vector<Thing> read_entries(const std::filesystem::path& path, std::string_v
                               "a list of tables and nothing else");
         }
         for (const toml::node& node : *entries) {
-            DataEntry entry(file, *node.as_table());
+            TomlEntry entry(file, *node.as_table());
             things.push_back(made(entry));
             entry.end();
         }
@@ -119,7 +42,7 @@ std::vector<Thing> read_entries(const std::filesystem::path& path, std::string_v
     return things;
 }
 
-ThesisTable table_of(DataEntry& entry) {
+ThesisTable table_of(TomlEntry& entry) {
     ThesisTable table{entry.text("parameter"),
                       entry.text("key"),
                       entry.text("unit"),
@@ -133,7 +56,7 @@ ThesisTable table_of(DataEntry& entry) {
     return table;
 }
 
-ThesisExperiment experiment_of(DataEntry& entry) {
+ThesisExperiment experiment_of(TomlEntry& entry) {
     ThesisExperiment experiment;
     experiment.figure = entry.text("figure");
     experiment.parameter = entry.text("parameter");

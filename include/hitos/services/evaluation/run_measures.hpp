@@ -15,6 +15,7 @@ namespace hitos {
 
 class Grid;
 class SlamFilter;
+struct Calibration;
 
 /// Errors of a run against its references; nothing where there is none to compare with.
 struct RunErrors {
@@ -32,6 +33,7 @@ struct MeasuredRun {
     const Trajectory& path;  ///< likewise
     const RunErrors& errors;
     const Grid* grid;  ///< along the path; null where nobody draws it, as for a summary
+    const Calibration* calibration = nullptr;  ///< null where the truth is not known
 };
 
 /// One figure of a run. What summaries, records, tables and plots of studies, comparisons, Python
@@ -58,6 +60,8 @@ struct Measure {
     std::string compared_word = {};
     std::string compared_label = {};
     std::string latex_label = {};
+    /// Only tables for programs have it: for people there would be too many.
+    bool detail = false;
 
     bool is_count() const { return about == About::count; }
     /// Of what a reference map is compared with.

@@ -1,0 +1,58 @@
+// Whether the regions that a filter gives hold the truth as often as they say.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "hitos/services/files/map_file.hpp"
+
+namespace hitos {
+
+class SlamFilter;
+
+/// The probabilities of the regions that are looked at.
+inline constexpr std::array kRegions{0.5, 0.68, 0.95, 0.99};
+
+/// The probability that a chi-square variable with 2 or 3 degrees of freedom is at most x
+/// (Abramowitz and Stegun, Handbook of Mathematical Functions, 1964, 26.4.4 and 26.4.5).
+double chi_square_probability(double x, int degrees);
+
+/// How often the truth lay in regions of normal variables with 2 or 3 values.
+class Coverage {
+  public:
+    explicit Coverage(int degrees) : degrees_(degrees) {}
+
+    /// e' P^-1 e, with e how far the truth is from the estimate and P the estimate's covariance.
+    void add(double squared);
+    int count() const { return count_; }
+    /// The mean of what was added: `degrees` where the covariances tell the truth; 0 of nothing.
+    double mean() const { return count_ == 0 ? 0.0 : sum_ / count_; }
+    /// The share that lay in the region of kRegions; 0 of nothing.
+    double inside(std::size_t region) const {
+        return count_ == 0 ? 0.0 : static_cast<double>(inside_.at(region)) / count_;
+    }
+
+  private:
+    int degrees_;
+    int count_ = 0;
+    double sum_ = 0.0;
+    std::array<int, kRegions.size()> inside_{};
+};
+
+/// Of one run whose truth is known.
+struct Calibration {
+    Coverage pose{3};       ///< at every scan: of the mean pose and its covariance
+    Coverage landmarks{2};  ///< at the end: of the map against the true one
+};
+
+/// The best map with the uncertainty of all hypotheses: each landmark's values and covariance are
+/// those of the mixture of what the hypotheses hold nearest to it of its kind, by their weights. Of
+/// a filter with a single hypothesis its map.
+LandmarkMap mixed_map(const SlamFilter& filter);
+
+/// Counts every landmark against the nearest of its kind in the reference, which is in the same
+/// frame; a line by its rho and theta, a corner by its x and y. One without uncertainty is passed
+/// over.
+void count_landmarks(Coverage& coverage, const LandmarkMap& map, const LandmarkMap& reference);
+
+}  // namespace hitos

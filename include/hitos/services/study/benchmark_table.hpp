@@ -1,0 +1,80 @@
+// The table of a benchmark: what it says, how it is written, and what has changed since another.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hitos/base/text_table.hpp"
+#include "hitos/services/evaluation/run_measures.hpp"
+#include "hitos/services/study/study_result.hpp"
+
+namespace hitos {
+
+/// A line of the table: all runs of a tour by one algorithm, or what a peer made of it.
+struct BenchmarkRow {
+    std::string tour;
+    std::string algorithm;
+    bool peer = false;
+    int runs = 0;  ///< that have figures
+    int failed = 0;
+    std::optional<int> reference_landmarks;  ///< of the reference map
+    ByMeasure<Spread> figures;
+    double cpu_seconds = 0.0;  ///< of one run, in the mean; not reproducible
+    double scans = 0.0;        ///< of one run, in the mean
+    /// Of all that its runs gave, bit by bit: figures and maps. Empty where one failed.
+    std::string hash;
+    std::string problem;        ///< why there is no figure, or why runs failed; else empty
+    std::filesystem::path map;  ///< picture of the first run's grid map; empty: none
+};
+
+struct BenchmarkTable {
+    std::string title;
+    std::string program;  ///< build_identity() of what made it
+    std::string version;
+    std::string machine;  ///< processor, cores and system
+    int runs = 0;
+    std::uint64_t first_seed = 1;
+    std::vector<BenchmarkRow> rows;  ///< by tours, in the plan's order
+    bool stopped = false;            ///< before all was done
+};
+
+/// Writes benchmark.json, .csv, .md, .tex and .html, all of them or none. Throws FileError.
+void write_benchmark(const BenchmarkTable& table, const std::filesystem::path& out);
+
+/// The table as a row a row, with the digits that mean something.
+TextTable benchmark_table(const BenchmarkTable& table);
+/// The same with every digit, as one JSON object.
+std::string benchmark_json(const BenchmarkTable& table);
+/// Reads what write_benchmark() wrote to that folder. Throws FileError and FormatError.
+BenchmarkTable read_benchmark(const std::filesystem::path& out);
+
+/// How a figure of a row has changed.
+struct BenchmarkChange {
+    enum class Verdict {
+        same,     ///< bit for bit
+        within,   ///< no more than the spread of the seeds lets differ
+        better,   ///< beyond it
+        worse,    ///< beyond it
+        gone,     ///< the row, or its figure, is not there any more
+        appeared  ///< it was not there before
+    };
+    std::string tour;
+    std::string algorithm;
+    std::string measure;  ///< its word; empty: of the whole row
+    Verdict verdict = Verdict::same;
+    std::optional<double> before = {};  ///< means
+    std::optional<double> after = {};
+    double spread = 0.0;  ///< how far the means may lie apart by chance, in 95 of 100 cases
+};
+
+/// Of errors (less is better) and landmarks (their true number is better), row by row: a mean has
+/// changed where it lies further from the former one than twice the standard error of their
+/// difference, from the variances of both over their runs.
+std::vector<BenchmarkChange> compare_benchmarks(const BenchmarkTable& before,
+                                                const BenchmarkTable& after);
+TextTable changes_table(const std::vector<BenchmarkChange>& changes);
+
+}  // namespace hitos

@@ -1,0 +1,289 @@
+// A benchmark's table: for people, papers, spreadsheets, browsers and programs.
+#include "hitos/services/study/benchmark_table.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/base/staged_files.hpp"
+#include "hitos/base/text_input.hpp"
+#include "json_input.hpp"
+#include "spread_json.hpp"
+
+namespace hitos {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char* kJson = "benchmark.json";
+constexpr int kForm = 1;  // of benchmark.json
+constexpr std::size_t kShortHash = 8;
+
+/// Those that a row of the table has; for people without details.
+std::vector<const Measure*> told_measures(const BenchmarkTable& table, bool for_people) {
+    std::vector<const Measure*> measures = taken_measures();
+    std::erase_if(measures, [&](const Measure* measure) {
+        const auto has = [&](const BenchmarkRow& row) { return row.figures[*measure].has_value(); };
+        return (for_people && measure->detail) || std::ranges::none_of(table.rows, has);
+    });
+    return measures;
+}
+
+/// The mean, and of several runs' errors the greatest behind it.
+std::string figure_words(const Measure& measure, const std::optional<Spread>& spread) {
+    if (!spread) return kNoFigure;
+    const std::string mean = measure.rounded(spread->mean, true);
+    if (spread->count < 2 || measure.unit.empty()) return mean;
+    return fmt::format("{} ({})", mean, measure.rounded(spread->maximum, true));
+}
+
+std::string runs_words(const BenchmarkRow& row) {
+    if (row.failed == 0) return fmt::format("{}", row.runs);
+    return fmt::format("{} of {}", row.runs, row.runs + row.failed);
+}
+
+double ms_per_scan(const BenchmarkRow& row) {
+    return row.scans > 0.0 ? 1e3 * row.cpu_seconds / row.scans : 0.0;
+}
+
+std::string remarks(const BenchmarkTable& table) {
+    std::string text = fmt::format(
+        "Each row: {} runs, seeds from {}. Means, in brackets the worst run; ms/scan is processor "
+        "time. Equal hashes: equal figures and maps, bit by bit.\n\nHitos {}, {}.\nOn {}.\n",
+        table.runs, table.first_seed, table.version, table.program, table.machine);
+    for (const BenchmarkRow& row : table.rows) {
+        if (row.problem.empty()) continue;
+        text += fmt::format("\n{}, {}: {}\n", row.tour, row.algorithm, row.problem);
+    }
+    return text;
+}
+
+std::string in_html(std::string_view text) {
+    std::string html;
+    for (const char c : text) {
+        switch (c) {
+            case '<':
+                html += "&lt;";
+                break;
+            case '>':
+                html += "&gt;";
+                break;
+            case '&':
+                html += "&amp;";
+                break;
+            case '"':
+                html += "&quot;";
+                break;
+            default:
+                html += c;
+        }
+    }
+    return html;
+}
+
+/// Of a path within the folder of the page.
+std::string in_address(const std::filesystem::path& path) {
+    std::string address;
+    for (const char c : path.generic_string()) {
+        const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
+                           (c >= 'A' && c <= 'Z') ||
+                           std::string_view("/.-_").find(c) != std::string_view::npos;
+        address +=
+            plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+    return address;
+}
+
+std::string benchmark_html(const BenchmarkTable& table) {
+    const TextTable words = benchmark_table(table);
+    std::string html = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{0}</title>\n<style>\n"
+        "body {{ font: 15px/1.5 sans-serif; margin: 2em; color: #222; }}\n"
+        "table {{ border-collapse: collapse; }}\n"
+        "th, td {{ padding: .25em .7em; text-align: right; border-bottom: 1px solid #ddd; }}\n"
+        "th:nth-child(-n+2), td:nth-child(-n+2) {{ text-align: left; }}\n"
+        "figure {{ display: inline-block; margin: 1em 1em 0 0; max-width: 30em; }}\n"
+        "figure img {{ max-width: 100%; }}\n</style>\n<h1>{0}</h1>\n<table>\n<tr>",
+        in_html(table.title));
+    for (const std::string& head : words.head) html += fmt::format("<th>{}</th>", in_html(head));
+    html += "</tr>\n";
+    for (const std::vector<std::string>& row : words.rows) {
+        html += "<tr>";
+        for (const std::string& field : row) html += fmt::format("<td>{}</td>", in_html(field));
+        html += "</tr>\n";
+    }
+    html += "</table>\n";
+    std::string_view rest;
+    const std::string all = remarks(table);
+    for (rest = all; const auto line = input::next_line(rest);) {
+        if (!line->empty()) html += fmt::format("<p>{}</p>\n", in_html(*line));
+    }
+    for (const BenchmarkRow& row : table.rows) {
+        if (row.map.empty()) continue;
+        html += fmt::format(
+            "<figure><img src=\"{0}\" alt=\"Grid map\"><figcaption>{1}, {2}</figcaption></figure>"
+            "\n",
+            in_address(row.map), in_html(row.tour), in_html(row.algorithm));
+    }
+    return html + "</html>\n";
+}
+
+/// A column for every statistic of every figure.
+std::string benchmark_csv(const BenchmarkTable& table) {
+    const std::vector<const Measure*> measures = told_measures(table, false);
+    TextTable text;
+    text.head = {"tour", "algorithm", "peer", "runs", "failed"};
+    for (const Measure* measure : measures) {
+        text.head.push_back(measure->word);
+        text.head.push_back(measure->word_of("variance", true));
+        text.head.push_back(measure->word_of("minimum"));
+        text.head.push_back(measure->word_of("maximum"));
+    }
+    for (const char* word : {"reference_landmarks", "cpu_seconds", "scans", "hash", "problem"})
+        text.head.emplace_back(word);
+    for (const BenchmarkRow& row : table.rows) {
+        std::vector<std::string> fields{row.tour, row.algorithm, row.peer ? "1" : "0",
+                                        fmt::format("{}", row.runs), fmt::format("{}", row.failed)};
+        for (const Measure* measure : measures) {
+            const std::optional<Spread>& spread = row.figures[*measure];
+            fields.push_back(spread ? fmt::format("{}", spread->mean) : "");
+            fields.push_back(spread && spread->variance ? fmt::format("{}", *spread->variance)
+                                                        : "");
+            fields.push_back(spread ? fmt::format("{}", spread->minimum) : "");
+            fields.push_back(spread ? fmt::format("{}", spread->maximum) : "");
+        }
+        fields.push_back(row.reference_landmarks ? fmt::format("{}", *row.reference_landmarks)
+                                                 : "");
+        fields.push_back(fmt::format("{:.6f}", row.cpu_seconds));
+        fields.push_back(fmt::format("{}", row.scans));
+        fields.push_back(row.hash);
+        fields.push_back(row.problem);
+        text.rows.push_back(std::move(fields));
+    }
+    return csv(text);
+}
+
+std::optional<Spread> spread_in(const ordered_json& json) {
+    if (json.is_null()) return std::nullopt;
+    Spread spread{json.at("measured"), json.at("mean"), std::nullopt, json.at("minimum"),
+                  json.at("maximum")};
+    if (!json.at("variance").is_null()) spread.variance = json.at("variance").get<double>();
+    return spread;
+}
+
+BenchmarkRow row_in(const ordered_json& json) {
+    BenchmarkRow row;
+    row.tour = json.at("tour");
+    row.algorithm = json.at("algorithm");
+    row.peer = json.at("peer");
+    row.runs = json.at("runs");
+    row.failed = json.at("failed");
+    row.hash = json.at("hash");
+    row.problem = json.at("problem");
+    row.cpu_seconds = json.at("cpu_seconds");
+    row.scans = json.at("scans");
+    if (!json.at("reference_landmarks").is_null()) {
+        row.reference_landmarks = json.at("reference_landmarks").get<int>();
+    }
+    for (const Measure* measure : taken_measures()) {
+        const auto figure = json.find(measure->word);  // of a later program there may be others
+        if (figure != json.end()) row.figures[*measure] = spread_in(*figure);
+    }
+    return row;
+}
+
+}  // namespace
+
+TextTable benchmark_table(const BenchmarkTable& table) {
+    const std::vector<const Measure*> measures = told_measures(table, true);
+    const bool referenced = std::ranges::any_of(
+        table.rows, [](const BenchmarkRow& row) { return row.reference_landmarks.has_value(); });
+    TextTable text;
+    text.head = {"tour", "algorithm", "runs"};
+    for (const Measure* measure : measures)
+        text.head.push_back(with_unit(measure->label, printed_unit(measure->unit)));
+    if (referenced) text.head.emplace_back("true landmarks");
+    text.head.emplace_back("ms/scan");
+    text.head.emplace_back("hash");
+    for (const BenchmarkRow& row : table.rows) {
+        std::vector<std::string> fields{row.tour, row.algorithm, runs_words(row)};
+        for (const Measure* measure : measures)
+            fields.push_back(figure_words(*measure, row.figures[*measure]));
+        if (referenced) {
+            fields.push_back(row.reference_landmarks ? fmt::format("{}", *row.reference_landmarks)
+                                                     : kNoFigure);
+        }
+        fields.push_back(row.scans > 0.0 ? fmt::format("{:.2f}", ms_per_scan(row)) : kNoFigure);
+        fields.push_back(row.hash.empty() ? kNoFigure : row.hash.substr(0, kShortHash));
+        text.rows.push_back(std::move(fields));
+    }
+    return text;
+}
+
+std::string benchmark_json(const BenchmarkTable& table) {
+    ordered_json rows = ordered_json::array();
+    for (const BenchmarkRow& row : table.rows) {
+        ordered_json json{
+            {"tour", row.tour},       {"algorithm", row.algorithm},     {"peer", row.peer},
+            {"runs", row.runs},       {"failed", row.failed},           {"hash", row.hash},
+            {"problem", row.problem}, {"cpu_seconds", row.cpu_seconds}, {"scans", row.scans}};
+        json["reference_landmarks"] =
+            row.reference_landmarks ? ordered_json(*row.reference_landmarks) : ordered_json();
+        for (const Measure* measure : taken_measures())
+            json[measure->word] = spread_json(row.figures[*measure]);
+        rows.push_back(std::move(json));
+    }
+    return json_text({{"benchmark", kForm},
+                      {"title", table.title},
+                      {"version", table.version},
+                      {"program", table.program},
+                      {"machine", table.machine},
+                      {"runs", table.runs},
+                      {"first_seed", table.first_seed},
+                      {"rows", rows}});
+}
+
+void write_benchmark(const BenchmarkTable& table, const std::filesystem::path& out) {
+    const TextTable words = benchmark_table(table);
+    const std::string heading = fmt::format("# {}\n\n", on_one_line(table.title));
+    const std::vector<std::pair<const char*, std::string>> texts{
+        {"benchmark.csv", benchmark_csv(table)},
+        {"benchmark.md", heading + markdown(words) + "\n" + remarks(table)},
+        {"benchmark.tex", latex(words)},
+        {"benchmark.html", benchmark_html(table)},
+        {kJson, benchmark_json(table) + "\n"}};
+    std::vector<std::filesystem::path> files;
+    for (const auto& [name, text] : texts) files.push_back(out / name);
+    StagedFiles staged(files);
+    staged.write([&] {
+        for (const auto& [name, text] : texts) write_file(staged.staged(out / name), text);
+    });
+    staged.commit();
+}
+
+BenchmarkTable read_benchmark(const std::filesystem::path& out) {
+    const std::string file = (out / kJson).string();
+    const std::string text = input::read_text(file, input::kLargestSettings);
+    try {
+        const auto json = parsed<ordered_json>(text, file);
+        if (json.at("benchmark") != kForm) {
+            throw FormatError(file, 0, HITOS_TEXT("Errors", "is no table of a benchmark"));
+        }
+        BenchmarkTable table;
+        table.title = json.at("title");
+        table.version = json.at("version");
+        table.program = json.at("program");
+        table.machine = json.at("machine");
+        table.runs = json.at("runs");
+        table.first_seed = json.at("first_seed");
+        for (const ordered_json& row : json.at("rows")) table.rows.push_back(row_in(row));
+        return table;
+    } catch (const ordered_json::exception& error) {
+        throw FormatError(file, 0, verbatim(error.what()));
+    }
+}
+
+}  // namespace hitos

@@ -1,0 +1,252 @@
+// Plans of benchmarks, and what is made of them.
+#include "hitos/workbench/benchmark.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "hitos/base/error.hpp"
+#include "support.hpp"
+
+namespace hitos {
+namespace {
+
+using test::content;
+using test::message_of;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
+using HowChanged = BenchmarkChange::Verdict;
+
+constexpr const char* kSmall = R"(title = "Small <and> quick"
+runs = 2
+[[tour]]
+file = "recinto"
+map = ")" HITOS_SOURCE_DIR R"(/data/maps/recinto.map"
+set = ["source.world_set=laser.rate=0.5"]
+[[algorithm]]
+name = "FastSLAM"
+set = ["filter.particles=10"]
+[[algorithm]]
+name = "EKF"
+preset = "ekf"
+)";
+
+class BenchmarkTest : public ::testing::Test {
+  protected:
+    BenchmarkPlan plan(const std::string& text) const {
+        return read_benchmark_plan(folder_.put("plan.toml", text));
+    }
+    std::string refusal(const std::string& text) const {
+        return message_of<FormatError>([&] { plan(text); });
+    }
+    BenchmarkTable run(const BenchmarkPlan& plan, const char* out, int threads = 2) const {
+        BenchmarkOptions options;
+        options.out = folder_ / out;
+        options.threads = threads;
+        options.pictures = false;
+        return run_benchmark(plan, options);
+    }
+    test::TempFolder folder_;
+};
+
+TEST_F(BenchmarkTest, ReadsAPlan) {
+    folder_.put("near.log", "");
+    const BenchmarkPlan read = plan(
+        "[[tour]]\nfile = \"near.log\"\nnoise = 1\ndigest = \"x\"\naddress = \"https://a.b\"\n"
+        "[[tour]]\nname = \"far\"\nfile = \"away/tour.log.gz\"\ntrajectory = \"/abs.tum\"\n"
+        "[[algorithm]]\nname = \"one\"\nset = [\"filter.particles=5\"]\n"
+        "[[algorithm]]\nname = \"two\"\nconfig = \"my.cfg\"\n"
+        "[[peer]]\nname = \"other\"\ntour = \"far\"\ntrajectory = \"other.tum\"\n");
+    EXPECT_EQ(read.title, "plan");
+    EXPECT_EQ(read.runs, 5);
+    ASSERT_EQ(read.tours.size(), 2U);
+    EXPECT_EQ(read.tours[0].name, "near");
+    EXPECT_EQ(read.tours[0].file, (folder_ / "near.log").string());
+    EXPECT_EQ(read.tours[0].noise, 1.0);
+    EXPECT_EQ(read.tours[1].name, "far");
+    EXPECT_EQ(read.tours[1].trajectory, "/abs.tum");
+    ASSERT_EQ(read.algorithms.size(), 2U);
+    EXPECT_EQ(read.algorithms[0].preset, "auto");
+    EXPECT_EQ(read.algorithms[1].config, (folder_ / "my.cfg").string());
+    ASSERT_EQ(read.peers.size(), 1U);
+}
+
+TEST_F(BenchmarkTest, LooksForFilesInTheUsersFolderFirst) {
+    const test::TempFolder tours;
+    tours.put("a.log", "");
+    folder_.put("a.log", "");
+    folder_.put("b.log", "");
+    const auto path = folder_.put("plan.toml",
+                                  "[[tour]]\nfile = \"a.log\"\n[[tour]]\nfile = \"b.log\"\n"
+                                  "[[tour]]\nfile = \"c.log\"\n[[algorithm]]\nname = \"x\"\n");
+    const BenchmarkPlan read = read_benchmark_plan(path, tours.path());
+    EXPECT_EQ(read.tours[0].file, (tours / "a.log").string());
+    EXPECT_EQ(read.tours[1].file, (folder_ / "b.log").string());
+    EXPECT_EQ(read.tours[2].file, (tours / "c.log").string()) << "where it would belong";
+}
+
+TEST_F(BenchmarkTest, RefusesWhatIsNoPlan) {
+    const std::string tour = "[[tour]]\nfile = \"recinto\"\n";
+    const std::string algorithm = "[[algorithm]]\nname = \"x\"\n";
+    EXPECT_THAT(refusal(algorithm), HasSubstr("one [[tour]] at least"));
+    EXPECT_THAT(refusal(tour), HasSubstr("one [[algorithm]] at least"));
+    EXPECT_THAT(refusal(tour + tour + algorithm), HasSubstr(":3: tour: expected a name that "
+                                                            "no other has; found \"recinto\""));
+    EXPECT_THAT(refusal(tour + algorithm + "preset = \"best\"\n"),
+                HasSubstr(":5: preset: expected auto or one of simulated"));
+    EXPECT_THAT(refusal(tour + "noise = -1\n" + algorithm), HasSubstr("noise: expected a level"));
+    EXPECT_THAT(refusal(tour + "noise = nan\n" + algorithm), HasSubstr("noise: expected a level"));
+    EXPECT_THAT(refusal(tour + "noise_kind = \"loud\"\n" + algorithm),
+                HasSubstr("noise_kind: expected relative-sigma"));
+    EXPECT_THAT(refusal(tour + "colour = 1\n" + algorithm), HasSubstr(":3: no such key"));
+    EXPECT_THAT(refusal("runs = 0\n" + tour + algorithm),
+                HasSubstr("runs: expected a whole number from 1 to"));
+    EXPECT_THAT(refusal("speed = 1\n" + tour + algorithm), HasSubstr("no such key"));
+    EXPECT_THAT(refusal("tour = 1\n" + algorithm), HasSubstr("tables, each beginning with"));
+    EXPECT_THAT(refusal(tour + algorithm +
+                        "[[peer]]\nname = \"p\"\ntour = \"q\"\n"
+                        "trajectory = \"t\"\n"),
+                HasSubstr("the name of a tour; found \"q\""));
+    EXPECT_THAT(refusal("runs = \n"), HasSubstr(":1: "));
+}
+
+TEST_F(BenchmarkTest, KnowsThePlansThatComeWithHitos) {
+    EXPECT_THAT(shipped_benchmarks(), IsSupersetOf({"recorded", "worlds"}));
+    for (const std::string& name : shipped_benchmarks())
+        EXPECT_FALSE(read_benchmark_plan(find_benchmark(name)).tours.empty()) << name;
+    EXPECT_THAT(message_of<FileError>([] { find_benchmark("nothing"); }), HasSubstr("worlds"));
+}
+
+// Figures and hashes do not depend on threads, stops or what is done already.
+TEST_F(BenchmarkTest, RepeatsItselfToTheLastBit) {
+    const BenchmarkPlan small = plan(kSmall);
+    const BenchmarkTable one = run(small, "one", 1);
+    const BenchmarkTable two = run(small, "two", 2);
+    const BenchmarkTable again = run(small, "one", 2);
+    ASSERT_EQ(one.rows.size(), 2U);
+    for (std::size_t i = 0; i < one.rows.size(); ++i) {
+        const BenchmarkRow& row = one.rows[i];
+        SCOPED_TRACE(row.algorithm + " " + row.problem);
+        EXPECT_EQ(row.runs, 2);
+        EXPECT_EQ(row.failed, 0);
+        EXPECT_FALSE(row.hash.empty());
+        EXPECT_EQ(row.hash, two.rows[i].hash);
+        EXPECT_EQ(row.hash, again.rows[i].hash);
+        EXPECT_EQ(row.reference_landmarks, 8);
+        EXPECT_TRUE(row.figures["error_m"]);
+        EXPECT_TRUE(row.figures["trajectory_error_m"]) << "a world knows its truth";
+        ASSERT_TRUE(row.figures["pose_in_95"]);
+        EXPECT_LE(row.figures["pose_in_50"]->mean, row.figures["pose_in_95"]->mean);
+    }
+    EXPECT_NE(one.rows[0].hash, one.rows[1].hash);
+}
+
+TEST_F(BenchmarkTest, ABrokenTourIsARowAndNotTheEnd) {
+    const BenchmarkTable table =
+        run(plan(std::string(kSmall) + "[[tour]]\nname = \"gone\"\nfile = \"gone.log\"\n"
+                                       "address = \"https://example.org/gone.log\"\n"
+                                       "[[tour]]\nname = \"other\"\nfile = \"plan.toml\"\n"
+                                       "digest = \"0123\"\n"
+                                       "[[peer]]\nname = \"peer\"\ntour = \"recinto\"\n"
+                                       "trajectory = \"none.tum\"\n"),
+            "out");
+    ASSERT_EQ(table.rows.size(), 7U);
+    EXPECT_EQ(table.rows[0].runs, 2);
+    EXPECT_EQ(table.rows[2].algorithm, "peer");
+    EXPECT_EQ(table.rows[2].failed, 1);
+    EXPECT_THAT(table.rows[3].problem, HasSubstr("it can be had from https://example.org"));
+    EXPECT_EQ(table.rows[3].failed, 2);
+    EXPECT_THAT(table.rows[5].problem, HasSubstr("is another file than the plan means"));
+    EXPECT_TRUE(table.rows[5].hash.empty());
+}
+
+TEST_F(BenchmarkTest, MeasuresPeersAsItMeasuresRuns) {
+    std::string truth;
+    std::string path;
+    for (int k = 0; k < 20; ++k) {
+        truth += fmt::format("{} {} 0 0 0 0 0 1\n", k, 0.1 * k * k);
+        path += fmt::format("{} {} {} 0 0 0 0 1\n", k, 0.1 * k * k, k % 2 == 0 ? 0.1 : -0.1);
+    }
+    folder_.put("truth.tum", truth);
+    folder_.put("peer.tum", path);
+    BenchmarkPlan small = plan(std::string(kSmall) +
+                               "[[peer]]\nname = \"peer\"\ntour = \"recinto\"\n"
+                               "trajectory = \"peer.tum\"\n");
+    small.algorithms.clear();
+    small.tours[0].trajectory = (folder_ / "truth.tum").string();
+    const BenchmarkTable table = run(small, "out");
+    ASSERT_EQ(table.rows.size(), 1U);
+    ASSERT_TRUE(table.rows[0].figures["trajectory_error_m"]) << table.rows[0].problem;
+    EXPECT_NEAR(table.rows[0].figures["trajectory_error_m"]->mean, 0.1, 0.002);
+}
+
+TEST_F(BenchmarkTest, WritesWhatItReads) {
+    BenchmarkTable table = run(plan(kSmall), "out");
+    table.rows[1].problem = "1 < 2 & \"3\"";
+    write_benchmark(table, folder_ / "out");
+    const BenchmarkTable read = read_benchmark(folder_ / "out");
+    EXPECT_EQ(benchmark_json(read), benchmark_json(table));
+    EXPECT_EQ(read.rows[0].figures["error_m"]->variance,
+              table.rows[0].figures["error_m"]->variance);
+    const std::string html = content(folder_ / "out/benchmark.html");
+    EXPECT_THAT(html, HasSubstr("<h1>Small &lt;and&gt; quick</h1>"));
+    EXPECT_THAT(html, HasSubstr("1 &lt; 2 &amp; &quot;3&quot;"));
+    EXPECT_THAT(content(folder_ / "out/benchmark.md"), HasSubstr("| recinto | FastSLAM |"));
+    EXPECT_THAT(content(folder_ / "out/benchmark.csv"), HasSubstr("pose_in_68"));
+    EXPECT_THAT(content(folder_ / "out/benchmark.tex"), HasSubstr("tabular"));
+    folder_.put("out/benchmark.json", "{\"benchmark\": 2}");
+    EXPECT_THAT(message_of<FormatError>([&] { read_benchmark(folder_ / "out"); }),
+                HasSubstr("is no table of a benchmark"));
+    folder_.put("out/benchmark.json", "{\"benchmark\": 1}");
+    EXPECT_THAT(message_of<FormatError>([&] { read_benchmark(folder_ / "out"); }),
+                HasSubstr("title"));
+}
+
+BenchmarkRow row_of(const char* tour, const char* hash, const std::vector<double>& errors) {
+    BenchmarkRow row;
+    row.tour = tour;
+    row.algorithm = "x";
+    row.hash = hash;
+    row.runs = static_cast<int>(errors.size());
+    row.figures["error_m"] = spread_of(errors);
+    return row;
+}
+
+TEST(BenchmarkChanges, TellChangesFromTheSpreadOfSeeds) {
+    BenchmarkTable before;
+    before.rows = {row_of("same", "a", {1.0, 2.0}), row_of("noise", "b", {1.0, 1.2, 0.8}),
+                   row_of("worse", "c", {1.0, 1.01, 0.99}),
+                   row_of("better", "d", {1.0, 1.01, 0.99}), row_of("gone", "e", {1.0})};
+    BenchmarkTable after;
+    after.rows = {row_of("same", "a", {1.0, 2.0}), row_of("noise", "B", {1.1, 1.3, 0.9}),
+                  row_of("worse", "C", {1.2, 1.21, 1.19}), row_of("better", "D", {0.8, 0.81, 0.79}),
+                  row_of("new", "f", {1.0})};
+    std::vector<HowChanged> verdicts;
+    const std::vector<BenchmarkChange> changes = compare_benchmarks(before, after);
+    for (const BenchmarkChange& change : changes) verdicts.push_back(change.verdict);
+    EXPECT_THAT(verdicts, ElementsAre(HowChanged::same, HowChanged::within, HowChanged::worse,
+                                      HowChanged::better, HowChanged::appeared, HowChanged::gone));
+    // Variances of 1e-4 over three runs each: 1.96 sqrt(2e-4 / 3).
+    EXPECT_NEAR(changes[2].spread, 0.0160, 1e-4);
+    EXPECT_EQ(changes_table(changes).rows[2].back(), "worse");
+}
+
+TEST(BenchmarkChanges, MoreLandmarksAreBetterOnlyTowardsTheirTrueNumber) {
+    const auto table = [](double landmarks) {
+        BenchmarkTable one;
+        one.rows.emplace_back();
+        one.rows[0].reference_landmarks = 8;
+        one.rows[0].hash = std::to_string(landmarks);
+        one.rows[0].figures["landmarks"] = spread_of({&landmarks, 1});
+        return one;
+    };
+    const auto verdict = [&](double before, double after) {
+        return compare_benchmarks(table(before), table(after)).at(0).verdict;
+    };
+    EXPECT_EQ(verdict(6, 8), HowChanged::better);
+    EXPECT_EQ(verdict(8, 10), HowChanged::worse);
+    EXPECT_EQ(verdict(12, 9), HowChanged::better);
+}
+
+}  // namespace
+}  // namespace hitos

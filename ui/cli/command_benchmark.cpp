@@ -1,0 +1,188 @@
+// hitos-cli benchmark: tours by algorithms, as one table that anybody can make again.
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/base/process.hpp"
+#include "hitos/workbench/benchmark.hpp"
+#include "options.hpp"
+#include "report.hpp"
+#include "study_console.hpp"
+
+namespace hitos::cli {
+namespace {
+
+struct BenchmarkArguments {
+    std::string plan;
+    std::string tours;
+    std::string out;
+    std::optional<int> runs;
+    int threads = 0;
+    std::vector<std::string> only;
+    std::string shard;
+    std::string compare;
+    bool no_pictures = false;
+    bool json = false;
+};
+
+/// Leaves of tours, algorithms and peers those that are named, where any of their kind is.
+template <class Thing>
+void keep_named(std::vector<Thing>& things, const std::vector<std::string>& names) {
+    const auto named = [&](const Thing& thing) {
+        return std::ranges::count(names, thing.name) > 0;
+    };
+    if (std::ranges::any_of(things, named)) std::erase_if(things, std::not_fn(named));
+}
+
+BenchmarkPlan plan_of(const BenchmarkArguments& options) {
+    BenchmarkPlan plan = read_benchmark_plan(find_benchmark(options.plan), options.tours);
+    if (options.runs) plan.runs = *options.runs;
+    const auto known = [&](const std::string& name) {
+        return std::ranges::count(plan.tours, name, &BenchmarkTour::name) +
+                   std::ranges::count(plan.algorithms, name, &BenchmarkAlgorithm::name) +
+                   std::ranges::count(plan.peers, name, &BenchmarkPeer::name) >
+               0;
+    };
+    for (const std::string& name : options.only) {
+        if (known(name)) continue;
+        std::vector<std::string> names;
+        for (const BenchmarkTour& tour : plan.tours) names.push_back(tour.name);
+        for (const BenchmarkAlgorithm& algorithm : plan.algorithms) names.push_back(algorithm.name);
+        throw ConfigError("--only",
+                          verbatim(fmt::format("found \"{}\"; expected a tour or an algorithm of "
+                                               "the plan: {}",
+                                               name, fmt::join(names, ", "))));
+    }
+    keep_named(plan.tours, options.only);
+    keep_named(plan.algorithms, options.only);
+    keep_named(plan.peers, options.only);
+    std::erase_if(plan.peers, [&](const BenchmarkPeer& peer) {
+        return std::ranges::count(plan.tours, peer.tour, &BenchmarkTour::name) == 0;
+    });
+    return plan;
+}
+
+/// Says what has changed, and whether anything is worse.
+bool tell_changes(const BenchmarkTable& table, const BenchmarkArguments& options, Report& report) {
+    using Verdict = BenchmarkChange::Verdict;
+    const BenchmarkTable former = read_benchmark(options.compare);
+    const std::vector<BenchmarkChange> changes = compare_benchmarks(former, table);
+    const TextTable words = changes_table(changes);
+    write_file(std::filesystem::path(options.out) / "changes.md",
+               fmt::format("Since {}\n\n{}", on_one_line(options.compare), markdown(words)));
+    report.say("\n{}", markdown(words));
+    const auto count = [&](Verdict verdict) {
+        return std::ranges::count(changes, verdict, &BenchmarkChange::verdict);
+    };
+    report.object()["changes"] = {{"same", count(Verdict::same)},
+                                  {"within", count(Verdict::within)},
+                                  {"better", count(Verdict::better)},
+                                  {"worse", count(Verdict::worse)}};
+    return count(Verdict::worse) > 0;
+}
+
+int benchmark(const BenchmarkArguments& arguments) {
+    const BenchmarkPlan plan = plan_of(arguments);
+    BenchmarkOptions options;
+    options.out = arguments.out;
+    options.threads = arguments.threads;
+    options.pictures = !arguments.no_pictures;
+    options.shard = arguments.shard.empty()
+                        ? scheduler_shard(process_environment()).value_or(StudyShard{})
+                        : parse_shard(arguments.shard);
+    StudyTeller teller;
+    options.observer = teller.observer();
+    const StopSource stop;
+    options.stop = stop.token();
+    const BenchmarkTable table = run_benchmark(plan, options);
+    if (table.stopped) {
+        teller.say("stopped; the same command goes on with the rest");
+        return StopByRequest::status();
+    }
+    teller.finish();
+    Report report(arguments.json);
+    bool failed =
+        std::ranges::any_of(table.rows, [](const BenchmarkRow& row) { return row.failed > 0; });
+    if (!options.shard.whole()) {
+        report.say(
+            "part {} of {} done; when all are, the same command without --shard makes the "
+            "table\n",
+            options.shard.index, options.shard.count);
+        report.object() = {{"shard", options.shard.index}, {"shards", options.shard.count}};
+    } else {
+        write_benchmark(table, options.out);
+        report.say("{}", markdown(benchmark_table(table)));
+        report.object() = parsed_object(benchmark_json(table));
+        if (!arguments.compare.empty()) {
+            failed = tell_changes(table, arguments, report) || failed;
+        }
+    }
+    for (const BenchmarkRow& row : table.rows) {
+        if (!row.problem.empty())
+            report.warn(fmt::format("{}, {}: {}", row.tour, row.algorithm, row.problem));
+    }
+    report.say("{}\n", (options.out / "benchmark.html").string());
+    report.end();
+    return failed ? kSomeFailed : 0;
+}
+
+}  // namespace
+
+void add_benchmark(CLI::App& program) {
+    auto options = std::make_shared<BenchmarkArguments>();
+    CLI::App* command = program.add_subcommand(
+        "benchmark", "Tours by algorithms, several runs of each, as one table");
+    command->footer(
+        "Stopped, it goes on where it was when it is started again. Ends with status 2 where a\n"
+        "row has a failed run, or with --compare a figure is worse. See docs/benchmark.md.");
+    command
+        ->add_option("plan", options->plan,
+                     fmt::format("Plan (TOML), or the name of one that comes with Hitos: {}",
+                                 fmt::join(shipped_benchmarks(), ", ")))
+        ->required();
+    command->add_option("--tours", options->tours,
+                        "Folder in which the plan's files are looked for, before the plan's own");
+    command
+        ->add_option("--out", options->out,
+                     "Folder for the table (benchmark.md, .csv, .tex, .html, .json) and the runs, "
+                     "made if missing")
+        ->required()
+        ->check(&complaint_of_output);
+    command
+        ->add_option("--only", options->only,
+                     "Only this tour or algorithm, by its name in the plan; may be repeated")
+        ->allow_extra_args(false);
+    command->add_option("--runs", options->runs, "Runs of each row (default: as the plan says)")
+        ->check(CLI::Range(1, 1000000));
+    command
+        ->add_option("--threads", options->threads,
+                     "Runs at a time (default: as many as the machine has); results do not depend "
+                     "on it")
+        ->check(CLI::Range(0, 256));
+    command->add_option("--shard", options->shard,
+                        "Do part i of n only, e.g. 2/8 (default: what the job array says, else "
+                        "all); all parts share the folder");
+    command->add_option("--compare", options->compare,
+                        "Folder of an earlier benchmark: say what has changed beyond the spread of "
+                        "the seeds");
+    command->add_flag("--no-pictures", options->no_pictures,
+                      "Draw no grid maps: they cost about a fifth of a run");
+    add_report_option(*command, options->json);
+    command->callback([options] {
+        const int status = benchmark(*options);
+        if (status != 0) throw CLI::RuntimeError(status);
+    });
+}
+
+}  // namespace hitos::cli
