@@ -207,7 +207,8 @@ void GuideTest::the_contents_go_there_and_follow() {
     QVERIFY(headings.size() > 15);
     for (int row = 1; row + 1 < guide.contents->count(); ++row) {
         guide.contents->setCurrentRow(row);
-        QCOMPARE(guide.heading(), headings[row].title);
+        const QScrollBar& bar = *guide.page->verticalScrollBar();
+        if (bar.value() < bar.maximum()) QCOMPARE(guide.heading(), headings[row].title);
         QCOMPARE(guide.contents->currentRow(), row);
         QCOMPARE(guide.contents->item(row)->text().trimmed(), headings[row].title);
     }

@@ -1,4 +1,4 @@
-#include "hitos/services/evaluation/calibration.hpp"
+#include "calibration.hpp"
 
 #include <Eigen/Dense>
 #include <cmath>

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "calibration.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
-#include "hitos/services/evaluation/calibration.hpp"
 #include "hitos/services/evaluation/grid_blur.hpp"
 #include "hitos/slam/slam_filter.hpp"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <stop_token>
 
-#include "hitos/services/evaluation/calibration.hpp"
+#include "evaluation/calibration.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/services/study/study.hpp"
 

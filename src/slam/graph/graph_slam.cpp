@@ -92,7 +92,21 @@ void GraphSlam::add_key(const RegisteredStep& registered, AssociationRecord* rec
     merge_bridged(record);
     if constexpr (kValidates) check(graph_);
     pose_ = graph_.keys().back().pose;
+    renew_covariance();
     map_.reset();
+}
+
+/// What landmarks seen again say of the pose is in the graph alone, and asking it costs as much as
+/// solving it: the more keys there are, the more of them go by from one time to the next. Between
+/// them it grows with the steps.
+void GraphSlam::renew_covariance() {
+    constexpr std::size_t kLeast = 8;
+    constexpr std::size_t kPart = 8;
+    const std::size_t keys = graph_.keys().size();
+    if (keys < asked_ + std::max(kLeast, asked_ / kPart)) return;
+    asked_ = keys;
+    GraphSolver solver;
+    if (solver.linearize(graph_)) covariance_ = solver.key_covariance(keys - 1);
 }
 
 void GraphSlam::add_sightings() {

@@ -56,6 +56,7 @@ class GraphSlam final : public SlamFilter {
     /// Makes the scan the newest key, with what it saw.
     void add_key(const RegisteredStep& registered, AssociationRecord* record);
     void add_sightings();
+    void renew_covariance();
     /// Merges landmarks that the scan has shown to be one.
     void merge_bridged(AssociationRecord* record);
     void merge(std::span<const std::uint32_t> leader, AssociationRecord* record = nullptr);
@@ -72,6 +73,7 @@ class GraphSlam final : public SlamFilter {
     GraphWindow window_;
     Pose pose_;
     Matrix3 covariance_ = Matrix3::Zero();
+    std::size_t asked_ = 0;  // keys when the whole graph was last asked for it
     Motion since_key_;
     std::vector<Placed> history_;
     std::vector<Association> associations_;

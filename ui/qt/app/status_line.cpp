@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QStatusBar>
+#include <algorithm>
 #include <utility>
 
 #include "hitos/workbench/presets.hpp"
@@ -12,7 +13,9 @@
 namespace hitos::window {
 namespace {
 
-constexpr int kNoticeMs = 6000;
+constexpr int kNoticeMs = 6000;  // at the least, and of one that is longer to read more
+constexpr int kLetterMs = 70;
+constexpr qsizetype kKept = 4;
 
 QString preset_to_try(const Advice& advice) {
     return StatusLine::tr("Try Configuration → Presets → %1.")
@@ -105,7 +108,11 @@ void StatusLine::clear_place() {
 }
 
 void StatusLine::notice(const QString& text) {
-    bar_->showMessage(text, kNoticeMs);
+    bar_->showMessage(text, std::max(kNoticeMs, kLetterMs * static_cast<int>(text.size())));
+    said_.removeOne(text);
+    said_.prepend(text);
+    while (said_.size() > kKept) said_.removeLast();
+    show_tool_tip();
 }
 
 void StatusLine::lasting(const QString& text) {
@@ -139,6 +146,14 @@ void StatusLine::show_advice() {
     refresh();
 }
 
+/// What there is to doubt, and the last notices, which were perhaps not read in time.
+void StatusLine::show_tool_tip() {
+    QStringList parts;
+    if (!warnings_.isEmpty()) parts << warnings_;
+    if (!said_.isEmpty()) parts << tr("Said last:") + '\n' + said_.join('\n');
+    state_->setToolTip(parts.join("\n\n"));
+}
+
 void StatusLine::refresh() {
     using State = Progress::State;
     const Progress p = session_.progress();
@@ -163,7 +178,8 @@ void StatusLine::refresh() {
     told.removeAll(QString());
     const QString warnings = told.join('\n');
     if (!warnings.isEmpty()) state_->setText(state_->text() + QString::fromUtf8(" ⚠"));
-    state_->setToolTip(warnings);
+    warnings_ = warnings;
+    show_tool_tip();
     state_->setProperty("role", p.state == State::failed ? "error" : "value");
     scan_->setText(total_ ? tr("Scan %1 of %2").arg(p.steps).arg(*total_)
                           : tr("Scan %1").arg(p.steps));

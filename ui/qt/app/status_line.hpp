@@ -41,6 +41,7 @@ class StatusLine final : public QObject {
   private:
     void refresh();
     void show_advice();
+    void show_tool_tip();
     QLabel* add(const char* name, const QString& longest);
 
     Session& session_;
@@ -49,6 +50,8 @@ class StatusLine final : public QObject {
     QString advice_;        ///< shown with the state; empty: none
     QString doubts_;        ///< likewise
     QString of_reference_;  ///< likewise
+    QString warnings_;      ///< all three
+    QStringList said_;      ///< the last notices, the newest first
     StopReason stopped_by_ = StopReason::none;
     QLabel* state_;
     QLabel* scan_;

@@ -368,6 +368,11 @@ RunTrace CompareWindow::trace_of(std::size_t place, bool landmarks) const {
     return trace;
 }
 
+/// The reference as the figures lay it on the path.
+RunTrace CompareWindow::reference_of(const Compared& of) {
+    return {tr("Reference"), light_colours().reference, of.figures.reference, {}};
+}
+
 void CompareWindow::show_in(GridView& view, const Side& side) const {
     if (!side.run) return;
     view.set_grid(side.grid, side.path());
@@ -409,12 +414,16 @@ void CompareWindow::paint_sides() {
         if (mode_ == Mode::blinking && blinked_ != (i == 1)) continue;
         std::vector<RunTrace>& shown = traces[one_view ? 0 : i];
         if (!side.figures.errors.empty()) {
+            shown.push_back(reference_of(side));
             shown.push_back(trace_of(i, false));
         } else if (mode_ == Mode::blinking) {  // its path is that of the grid
             shown.push_back({title_of(side.choice), light_colours().path, {}, {}});
         }
     }
     if (mode_ == Mode::overlaid) {
+        // That of the left one: to lie on several paths it would have to be drawn as often.
+        if (!left.figures.reference.empty())
+            traces.front().insert(traces.front().begin(), reference_of(left));
         for (std::size_t place = 0; place < others_.size(); ++place)
             traces.front().push_back(trace_of(sides_.size() + place, false));
     }

@@ -88,6 +88,7 @@ class CompareWindow final : public QDialog {
     void measure(Of which = Of::all);
     PathFigures figures_of(const Compared& of) const;
     QString problem_of(const Compared& of) const;
+    static RunTrace reference_of(const Compared& of);
     RunTrace trace_of(std::size_t place, bool landmarks) const;
     QString verdict() const;
     void show_in(GridView& view, const Side& side) const;

@@ -15,6 +15,7 @@
 #include <limits>
 #include <utility>
 
+#include "hitos/services/evaluation/position_error.hpp"
 #include "look/words_of.hpp"
 #include "run_list.hpp"
 #include "views/plot_style.hpp"
@@ -25,7 +26,7 @@ namespace {
 constexpr double kRelativeWay = 1.0;  // [m]
 
 QString words_of_side(const ErrorStrip::Side& side) {
-    const auto& [absolute, relative, errors, begin] = side.figures;
+    const auto& [absolute, relative, errors, begin, reference] = side.figures;
     if (!absolute) return side.name + ": " + side.problem;
     QString words =
         ErrorStrip::tr("%1: ATE %2 (RMSE, aligned), mean %3, greatest %4; heading %5 (RMSE)")
@@ -56,6 +57,19 @@ PathFigures path_figures(const Trajectory& path, const Trajectory& reference, bo
         path, reference,
         aligned ? std::optional(figures.absolute->pose_reference_estimate) : std::nullopt);
     figures.begin_s = path.front().time_s;
+    if (figures.errors.empty()) return figures;
+    Pose pose_estimate_reference = inverse(figures.absolute->pose_reference_estimate);
+    if (!aligned) {
+        const StampedPose& first = path[figures.errors.front().pose];
+        const std::optional<Pose> there = PositionError(reference).reference_at(first);
+        if (!there) return figures;
+        pose_estimate_reference = compose(first.pose, inverse(*there));
+    }
+    figures.reference.reserve(reference.size());
+    for (const StampedPose& stamped : reference) {
+        const Pose pose = compose(pose_estimate_reference, stamped.pose);
+        figures.reference.emplace_back(pose.x, pose.y);
+    }
     return figures;
 }
 

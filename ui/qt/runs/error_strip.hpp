@@ -31,6 +31,7 @@ struct PathFigures {
     std::optional<RelativeError> relative;    ///< over one metre of the way
     std::vector<PathError> errors;            ///< aligned as `absolute`, or by the first pose
     double begin_s = 0.0;                     ///< its first stamp
+    std::vector<QPointF> reference;  ///< its positions, laid on the path as the errors have it
 
     double greatest_m() const;
 };

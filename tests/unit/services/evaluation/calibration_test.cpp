@@ -1,5 +1,5 @@
 // Whether regions hold the truth as often as they say.
-#include "hitos/services/evaluation/calibration.hpp"
+#include "evaluation/calibration.hpp"
 
 #include <gtest/gtest.h>
 
