@@ -205,7 +205,7 @@ void GuideTest::the_contents_go_there_and_follow() {
     const auto& headings = guide.page->headings();
     QCOMPARE(guide.contents->count(), static_cast<int>(headings.size()));
     QVERIFY(headings.size() > 15);
-    for (int row = 1; row + 1 < guide.contents->count(); ++row) {
+    for (int row = 1; row < guide.contents->count(); ++row) {
         guide.contents->setCurrentRow(row);
         const QScrollBar& bar = *guide.page->verticalScrollBar();
         if (bar.value() < bar.maximum()) QCOMPARE(guide.heading(), headings[row].title);

@@ -74,6 +74,9 @@ GuideWindow::GuideWindow(QSettings& settings, QString language, QWidget* parent)
         QUrl place = page_->source();
         place.setFragment(page_->headings()[row].anchors.value(0));
         page_->setSource(place);
+        // On its way the page may have stood under the heading before.
+        const QSignalBlocker quiet(contents_);
+        contents_->setCurrentRow(row);
     });
     constexpr int kContentsWidth = 240;
     halves_->setSizes({kContentsWidth, kGuideSize.width() - kContentsWidth});

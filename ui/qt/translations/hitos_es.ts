@@ -3102,6 +3102,30 @@
         <source>the folder&apos;s name is not UTF-8, as a configuration has to be; rename it</source>
         <translation>el nombre de la carpeta no es UTF-8, como tiene que ser una configuración; cámbielo</translation>
     </message>
+    <message>
+        <source>is no table of a benchmark</source>
+        <translation>no es la tabla de una comparativa</translation>
+    </message>
+    <message>
+        <source>is not there; it can be had from %1</source>
+        <translation>no está; se puede obtener de %1</translation>
+    </message>
+    <message>
+        <source>is another file than the plan means: its digest is %1, expected %2</source>
+        <translation>es otro archivo que el del plan: su resumen digital es %1, se esperaba %2</translation>
+    </message>
+    <message>
+        <source>the tour names no trajectory to measure a peer&apos;s against</source>
+        <translation>el recorrido no nombra ninguna trayectoria con la que medir la de otro programa</translation>
+    </message>
+    <message>
+        <source>has no pose at a time of the reference&apos;s</source>
+        <translation>no tiene ninguna pose en un instante de la referencia</translation>
+    </message>
+    <message>
+        <source>is neither a file nor a benchmark that comes with Hitos; those are %1</source>
+        <translation>no es un archivo ni una comparativa que venga con Hitos; las que hay son %1</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -5336,6 +5360,10 @@
     <message>
         <source>Chosen as well, and left out: %1</source>
         <translation>Elegidas además, y dejadas fuera: %1</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referencia</translation>
     </message>
 </context>
 <context>
@@ -8047,6 +8075,10 @@
     <message>
         <source>List what is damaged</source>
         <translation>Listar lo dañado</translation>
+    </message>
+    <message>
+        <source>Said last:</source>
+        <translation>Lo último que se dijo:</translation>
     </message>
 </context>
 <context>
