@@ -48,7 +48,10 @@ std::vector<Measure> calibration_measures(const std::string& word, const std::st
          share + "68 %"},
         {word + "_in_99", label + " in 99 %", About::path, "", 3, "", &inside<of, 3>,
          share + "99 %"}};
-    for (Measure& measure : measures) measure.detail = !measure.word.ends_with("95");
+    for (Measure& measure : measures) {
+        measure.detail = !measure.word.ends_with("95");
+        measure.rare = true;
+    }
     return measures;
 }
 

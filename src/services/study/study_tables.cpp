@@ -122,10 +122,12 @@ std::string reference_count(const StudyPlan& plan) {
 }
 
 /// In tables for programs those of landmarks stand before what the reference has of them.
-std::vector<const Measure*> taken_of_landmarks(bool of_landmarks) {
+template <class HasAny>
+std::vector<const Measure*> taken_of_landmarks(bool of_landmarks, const HasAny& has_any) {
     std::vector<const Measure*> measures = taken_measures();
-    std::erase_if(measures,
-                  [&](const Measure* measure) { return measure->of_landmarks() != of_landmarks; });
+    std::erase_if(measures, [&](const Measure* measure) {
+        return measure->of_landmarks() != of_landmarks || (measure->rare && !has_any(*measure));
+    });
     return measures;
 }
 
@@ -195,6 +197,11 @@ const StudyRecord* most_damaged(std::span<const StudyRecord> records) {
 
 std::string quality_csv(const StudyLayout& layout, const StudyPlan& plan,
                         std::span<const StudyRecord> records) {
+    const auto has_any = [&](const Measure& measure) {
+        return std::ranges::any_of(records, [&](const StudyRecord& record) {
+            return record.figures[measure].has_value();
+        });
+    };
     Rows rows(plan.keys());
     for (std::size_t run = 0; run < records.size(); ++run) {
         const StudyRecord& record = records[run];
@@ -202,7 +209,7 @@ std::string quality_csv(const StudyLayout& layout, const StudyPlan& plan,
             rows.add(std::move(column), record.ok ? fmt::format("{}", of_one_that_is_ok) : "");
         };
         const auto add_figures = [&](bool of_landmarks) {
-            for (const Measure* measure : taken_of_landmarks(of_landmarks))
+            for (const Measure* measure : taken_of_landmarks(of_landmarks, has_any))
                 add(measure->word, exact(record.figures[*measure]));
         };
         rows.begin(plan.texts(plan.cell_of(run)));
@@ -241,10 +248,11 @@ std::string timing_csv(const StudyPlan& plan, std::span<const StudyRecord> recor
 }
 
 std::string summary_csv(const StudyPlan& plan, std::span<const StudyCell> cells) {
+    const auto has_any = [&](const Measure& measure) { return has_figures(cells, measure); };
     Rows rows(plan.keys());
     for (const StudyCell& cell : cells) {
         const auto add_figures = [&](bool of_landmarks) {
-            for (const Measure* measure : taken_of_landmarks(of_landmarks)) {
+            for (const Measure* measure : taken_of_landmarks(of_landmarks, has_any)) {
                 const auto& spread = cell.figures[*measure];
                 rows.add(measure->word, spread ? exact(spread->mean) : "");
                 rows.add(measure->word_of("variance", true), spread ? exact(spread->variance) : "");

@@ -62,6 +62,9 @@ struct Measure {
     std::string latex_label = {};
     /// Only tables for programs have it: for people there would be too many.
     bool detail = false;
+    /// Tables of studies have it only where a run does: others keep the bytes that they had before
+    /// there was such a figure.
+    bool rare = false;
 
     bool is_count() const { return about == About::count; }
     /// Of what a reference map is compared with.
