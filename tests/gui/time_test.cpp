@@ -209,6 +209,7 @@ void TimeTest::at_a_first_start_one_sees_what_happens() {
 
 void TimeTest::the_pace_suits_the_tour_until_one_is_chosen() {
     Fixture f(false);
+    f.window.reset();  // whose pace would be the session's too
     f.files.settings().clear();
     MainWindow first(f.session, f.files, f.prompts);
     auto& paces = child<QComboBox>(first, "pace");
