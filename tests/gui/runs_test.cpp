@@ -19,6 +19,7 @@
 #include <QTest>
 #include <QToolButton>
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "actions/command_line.hpp"
@@ -382,6 +383,19 @@ void RunsTest::the_errors_of_more_than_two_lie_over_each_other() {
         QCOMPARE(curve.back().y(), wanted.errors.back().error_m);
         const auto* words = strip->findChild<QLabel*>(QString("figures_%1").arg(place));
         QVERIFY(words->text().startsWith(name_of(runs[place])));
+    }
+    // The reference, which is in another frame, is laid where the errors are reckoned: as far from
+    // the path, pose by pose.
+    for (const bool aligned : {true, false}) {
+        const Trajectory& path = runs[0].run->path;
+        const Trajectory& reference = *f.session.references().trajectory;
+        const auto laid = path_figures(path, reference, aligned);
+        QCOMPARE(laid.reference.size(), reference.size());
+        for (const PathError& error : laid.errors) {
+            const Pose& pose = path[error.pose].pose;
+            const QPointF away = laid.reference[error.pose] - QPointF(pose.x, pose.y);
+            QVERIFY(std::abs(std::hypot(away.x(), away.y()) - error.error_m) < 1e-9);
+        }
     }
     // Laid over, the third one's path is there as well, until that run is removed.
     comparison.show_figures(false);  // whose scale of colours is that of all

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +13,7 @@
 #include "commands.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/plural.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/workbench/benchmark.hpp"
 #include "options.hpp"
@@ -36,18 +36,12 @@ struct BenchmarkArguments {
     bool json = false;
 };
 
-/// Leaves of tours, algorithms and peers those that are named, where any of their kind is.
-template <class Thing>
-void keep_named(std::vector<Thing>& things, const std::vector<std::string>& names) {
-    const auto named = [&](const Thing& thing) {
-        return std::ranges::count(names, thing.name) > 0;
-    };
-    if (std::ranges::any_of(things, named)) std::erase_if(things, std::not_fn(named));
-}
-
 BenchmarkPlan plan_of(const BenchmarkArguments& options) {
     BenchmarkPlan plan = read_benchmark_plan(find_benchmark(options.plan), options.tours);
     if (options.runs) plan.runs = *options.runs;
+    const auto named = [&](const std::string& name) {
+        return std::ranges::count(options.only, name) > 0;
+    };
     const auto known = [&](const std::string& name) {
         return std::ranges::count(plan.tours, name, &BenchmarkTour::name) +
                    std::ranges::count(plan.algorithms, name, &BenchmarkAlgorithm::name) +
@@ -59,36 +53,54 @@ BenchmarkPlan plan_of(const BenchmarkArguments& options) {
         std::vector<std::string> names;
         for (const BenchmarkTour& tour : plan.tours) names.push_back(tour.name);
         for (const BenchmarkAlgorithm& algorithm : plan.algorithms) names.push_back(algorithm.name);
+        for (const BenchmarkPeer& peer : plan.peers) names.push_back(peer.name);
         throw ConfigError("--only",
-                          verbatim(fmt::format("found \"{}\"; expected a tour or an algorithm of "
-                                               "the plan: {}",
+                          verbatim(fmt::format("found \"{}\"; expected a tour, an algorithm or "
+                                               "a peer of the plan: {}",
                                                name, fmt::join(names, ", "))));
     }
-    keep_named(plan.tours, options.only);
-    keep_named(plan.algorithms, options.only);
-    keep_named(plan.peers, options.only);
+    const auto any_of = [&](const auto& things) {
+        return std::ranges::any_of(things, [&](const auto& thing) { return named(thing.name); });
+    };
+    const auto keep = [&](auto& things) {
+        std::erase_if(things, [&](const auto& thing) { return !named(thing.name); });
+    };
+    if (any_of(plan.tours)) keep(plan.tours);
+    if (any_of(plan.algorithms) || any_of(plan.peers)) {
+        keep(plan.algorithms);
+        keep(plan.peers);
+    }
     std::erase_if(plan.peers, [&](const BenchmarkPeer& peer) {
         return std::ranges::count(plan.tours, peer.tour, &BenchmarkTour::name) == 0;
     });
     return plan;
 }
 
+std::filesystem::path changes_file(const BenchmarkArguments& options) {
+    return std::filesystem::path(options.out) / "changes.md";
+}
+
 /// Says what has changed, and whether anything is worse.
-bool tell_changes(const BenchmarkTable& table, const BenchmarkArguments& options, Report& report) {
+bool tell_changes(const BenchmarkTable& former, const BenchmarkTable& table,
+                  const BenchmarkArguments& options, Report& report) {
     using Verdict = BenchmarkChange::Verdict;
-    const BenchmarkTable former = read_benchmark(options.compare);
+    if (former.runs != table.runs || former.first_seed != table.first_seed) {
+        report.note(fmt::format("{} has {} of each row, with seeds from {}", options.compare,
+                                plural(former.runs, "run"), former.first_seed));
+    }
     const std::vector<BenchmarkChange> changes = compare_benchmarks(former, table);
     const TextTable words = changes_table(changes);
-    write_file(std::filesystem::path(options.out) / "changes.md",
+    write_file(changes_file(options),
                fmt::format("Since {}\n\n{}", on_one_line(options.compare), markdown(words)));
     report.say("\n{}", markdown(words));
     const auto count = [&](Verdict verdict) {
         return std::ranges::count(changes, verdict, &BenchmarkChange::verdict);
     };
-    report.object()["changes"] = {{"same", count(Verdict::same)},
-                                  {"within", count(Verdict::within)},
-                                  {"better", count(Verdict::better)},
-                                  {"worse", count(Verdict::worse)}};
+    report.object()["changes"] = {
+        {"same", count(Verdict::same)},       {"within", count(Verdict::within)},
+        {"better", count(Verdict::better)},   {"worse", count(Verdict::worse)},
+        {"unknown", count(Verdict::unknown)}, {"gone", count(Verdict::gone)},
+        {"new", count(Verdict::appeared)}};
     return count(Verdict::worse) > 0;
 }
 
@@ -101,6 +113,14 @@ int benchmark(const BenchmarkArguments& arguments) {
     options.shard = arguments.shard.empty()
                         ? scheduler_shard(process_environment()).value_or(StudyShard{})
                         : parse_shard(arguments.shard);
+    std::optional<BenchmarkTable> former;  // which may be where the new one is written
+    if (!arguments.compare.empty()) {
+        if (!options.shard.whole()) {
+            throw ConfigError("--compare", verbatim("a part is compared with nothing; leave it out "
+                                                    "until the command that makes the table"));
+        }
+        former = read_benchmark(arguments.compare);
+    }
     StudyTeller teller;
     options.observer = teller.observer();
     const StopSource stop;
@@ -124,15 +144,17 @@ int benchmark(const BenchmarkArguments& arguments) {
         write_benchmark(table, options.out);
         report.say("{}", markdown(benchmark_table(table)));
         report.object() = parsed_object(benchmark_json(table));
-        if (!arguments.compare.empty()) {
-            failed = tell_changes(table, arguments, report) || failed;
-        }
+        std::error_code none;
+        std::filesystem::remove(changes_file(arguments), none);  // those of another table
+        if (former) failed = tell_changes(*former, table, arguments, report) || failed;
     }
     for (const BenchmarkRow& row : table.rows) {
-        if (!row.problem.empty())
-            report.warn(fmt::format("{}, {}: {}", row.tour, row.algorithm, row.problem));
+        for (const std::string& words : {row.problem, row.remark}) {
+            if (!words.empty())
+                report.warn(fmt::format("{}, {}: {}", row.tour, row.algorithm, words));
+        }
     }
-    report.say("{}\n", (options.out / "benchmark.html").string());
+    if (options.shard.whole()) report.say("{}\n", (options.out / "benchmark.html").string());
     report.end();
     return failed ? kSomeFailed : 0;
 }
@@ -161,7 +183,7 @@ void add_benchmark(CLI::App& program) {
         ->check(&complaint_of_output);
     command
         ->add_option("--only", options->only,
-                     "Only this tour or algorithm, by its name in the plan; may be repeated")
+                     "Only this tour, algorithm or peer, by its name in the plan; may be repeated")
         ->allow_extra_args(false);
     command->add_option("--runs", options->runs, "Runs of each row (default: as the plan says)")
         ->check(CLI::Range(1, 1000000));
@@ -177,7 +199,8 @@ void add_benchmark(CLI::App& program) {
                         "Folder of an earlier benchmark: say what has changed beyond the spread of "
                         "the seeds");
     command->add_flag("--no-pictures", options->no_pictures,
-                      "Draw no grid maps: they cost about a fifth of a run");
+                      "Draw no grid maps: they cost about a fifth of a run (where a tour has no "
+                      "reference map, they are measured all the same)");
     add_report_option(*command, options->json);
     command->callback([options] {
         const int status = benchmark(*options);

@@ -56,7 +56,7 @@ struct BenchmarkPlan {
 BenchmarkPlan read_benchmark_plan(const std::filesystem::path& path,
                                   const std::filesystem::path& tours = {});
 
-/// The plans that come with Hitos, by name: "worlds".
+/// The plans that come with Hitos, by name: "worlds" …
 std::vector<std::string> shipped_benchmarks();
 /// The path itself where it exists or is more than a bare name; else the plan of that name. Throws
 /// FileError that lists their names where there is none.
@@ -76,8 +76,8 @@ struct BenchmarkOptions {
 
 /// Runs what is not yet done and gives the table. Runs are kept in `out`, as those of studies, so
 /// that a benchmark that was stopped goes on where it was; of a shard the table is not whole. A
-/// tour that cannot be read is a row that says why. Throws FileError for the output, and
-/// ConfigError of algorithms that no run could have.
+/// tour that cannot be read, or an algorithm that no run could have, is a row that says why. Throws
+/// FileError for the output.
 BenchmarkTable run_benchmark(const BenchmarkPlan& plan, const BenchmarkOptions& options);
 
 }  // namespace hitos

@@ -75,7 +75,7 @@ LandmarkMap mixed_map(const SlamFilter& filter) {
         const LandmarkMap map = filter.map(h);
         for (std::size_t i = 0; i < best.size(); ++i) {
             const ICaracteristica* near = nearest(map, best[i]);
-            if (near == nullptr) continue;
+            if (near == nullptr || nearest(best, *near) != &best[i]) continue;
             const ICaracteristica one = written_as(*near, best[i]);
             const Eigen::Vector2d away = error_of(one, best[i]);
             means[i] += weight * away;

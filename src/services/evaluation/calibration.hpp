@@ -24,6 +24,7 @@ class Coverage {
 
     /// e' P^-1 e, with e how far the truth is from the estimate and P the estimate's covariance.
     void add(double squared);
+    int degrees() const { return degrees_; }
     int count() const { return count_; }
     /// The mean of what was added: `degrees` where the covariances tell the truth; 0 of nothing.
     double mean() const { return count_ == 0 ? 0.0 : sum_ / count_; }
@@ -41,13 +42,13 @@ class Coverage {
 
 /// Of one run whose truth is known.
 struct Calibration {
-    Coverage pose{3};       ///< at every scan: of the mean pose and its covariance
+    Coverage pose{3};       ///< at every scan at which the mean pose has a covariance
     Coverage landmarks{2};  ///< at the end: of the map against the true one
 };
 
 /// The best map with the uncertainty of all hypotheses: each landmark's values and covariance are
-/// those of the mixture of what the hypotheses hold nearest to it of its kind, by their weights. Of
-/// a filter with a single hypothesis its map.
+/// those of the mixture, by weights, of what the hypotheses hold that is nearest to it of its kind
+/// and has none nearer in the best map. Of a filter with a single hypothesis its map.
 LandmarkMap mixed_map(const SlamFilter& filter);
 
 /// Counts every landmark against the nearest of its kind in the reference, which is in the same

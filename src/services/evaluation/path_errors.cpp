@@ -6,6 +6,14 @@
 
 namespace hitos {
 
+std::optional<Pose> first_alignment(const Trajectory& estimate, const Trajectory& reference,
+                                    double tolerance_s) {
+    const auto matched = matched_by_stamp(estimate, reference, tolerance_s);
+    if (matched.empty()) return std::nullopt;
+    const auto& [first, there] = matched.front();
+    return compose(there, inverse(estimate[first].pose));
+}
+
 std::vector<PathError> path_errors(const Trajectory& estimate, const Trajectory& reference,
                                    std::optional<Pose> pose_reference_estimate,
                                    double tolerance_s) {

@@ -51,6 +51,11 @@ std::vector<Measure> calibration_measures(const std::string& word, const std::st
     for (Measure& measure : measures) {
         measure.detail = !measure.word.ends_with("95");
         measure.rare = true;
+        for (const double region : kRegions) {
+            if (measure.word.ends_with(fmt::format("_{:.0f}", 100.0 * region)))
+                measure.target = region;
+        }
+        if (!measure.target) measure.target = (Calibration().*of).degrees();
     }
     return measures;
 }

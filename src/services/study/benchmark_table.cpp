@@ -54,8 +54,10 @@ std::string remarks(const BenchmarkTable& table) {
         "time. Equal hashes: equal figures and maps, bit by bit.\n\nHitos {}, {}.\nOn {}.\n",
         table.runs, table.first_seed, table.version, table.program, table.machine);
     for (const BenchmarkRow& row : table.rows) {
-        if (row.problem.empty()) continue;
-        text += fmt::format("\n{}, {}: {}\n", row.tour, row.algorithm, row.problem);
+        for (const std::string& words : {row.problem, row.remark}) {
+            if (words.empty()) continue;
+            text += fmt::format("\n{}, {}: {}\n", row.tour, row.algorithm, on_one_line(words));
+        }
     }
     return text;
 }
@@ -142,7 +144,8 @@ std::string benchmark_csv(const BenchmarkTable& table) {
         text.head.push_back(measure->word_of("minimum"));
         text.head.push_back(measure->word_of("maximum"));
     }
-    for (const char* word : {"reference_landmarks", "cpu_seconds", "scans", "hash", "problem"})
+    for (const char* word :
+         {"reference_landmarks", "cpu_seconds", "scans", "hash", "problem", "remark"})
         text.head.emplace_back(word);
     for (const BenchmarkRow& row : table.rows) {
         std::vector<std::string> fields{row.tour, row.algorithm, row.peer ? "1" : "0",
@@ -161,6 +164,7 @@ std::string benchmark_csv(const BenchmarkTable& table) {
         fields.push_back(fmt::format("{}", row.scans));
         fields.push_back(row.hash);
         fields.push_back(row.problem);
+        fields.push_back(row.remark);
         text.rows.push_back(std::move(fields));
     }
     return csv(text);
@@ -183,6 +187,7 @@ BenchmarkRow row_in(const ordered_json& json) {
     row.failed = json.at("failed");
     row.hash = json.at("hash");
     row.problem = json.at("problem");
+    row.remark = json.at("remark");
     row.cpu_seconds = json.at("cpu_seconds");
     row.scans = json.at("scans");
     if (!json.at("reference_landmarks").is_null()) {
@@ -197,14 +202,15 @@ BenchmarkRow row_in(const ordered_json& json) {
 
 }  // namespace
 
-TextTable benchmark_table(const BenchmarkTable& table) {
+TextTable benchmark_table(const BenchmarkTable& table, bool for_latex) {
     const std::vector<const Measure*> measures = told_measures(table, true);
     const bool referenced = std::ranges::any_of(
         table.rows, [](const BenchmarkRow& row) { return row.reference_landmarks.has_value(); });
     TextTable text;
     text.head = {"tour", "algorithm", "runs"};
     for (const Measure* measure : measures)
-        text.head.push_back(with_unit(measure->label, printed_unit(measure->unit)));
+        text.head.push_back(
+            with_unit(measure->label, for_latex ? measure->unit : printed_unit(measure->unit)));
     if (referenced) text.head.emplace_back("true landmarks");
     text.head.emplace_back("ms/scan");
     text.head.emplace_back("hash");
@@ -226,10 +232,16 @@ TextTable benchmark_table(const BenchmarkTable& table) {
 std::string benchmark_json(const BenchmarkTable& table) {
     ordered_json rows = ordered_json::array();
     for (const BenchmarkRow& row : table.rows) {
-        ordered_json json{
-            {"tour", row.tour},       {"algorithm", row.algorithm},     {"peer", row.peer},
-            {"runs", row.runs},       {"failed", row.failed},           {"hash", row.hash},
-            {"problem", row.problem}, {"cpu_seconds", row.cpu_seconds}, {"scans", row.scans}};
+        ordered_json json{{"tour", row.tour},
+                          {"algorithm", row.algorithm},
+                          {"peer", row.peer},
+                          {"runs", row.runs},
+                          {"failed", row.failed},
+                          {"hash", row.hash},
+                          {"problem", row.problem},
+                          {"remark", row.remark},
+                          {"cpu_seconds", row.cpu_seconds},
+                          {"scans", row.scans}};
         json["reference_landmarks"] =
             row.reference_landmarks ? ordered_json(*row.reference_landmarks) : ordered_json();
         for (const Measure* measure : taken_measures())
@@ -252,14 +264,14 @@ void write_benchmark(const BenchmarkTable& table, const std::filesystem::path& o
     const std::vector<std::pair<const char*, std::string>> texts{
         {"benchmark.csv", benchmark_csv(table)},
         {"benchmark.md", heading + markdown(words) + "\n" + remarks(table)},
-        {"benchmark.tex", latex(words)},
+        {"benchmark.tex", latex(benchmark_table(table, true))},
         {"benchmark.html", benchmark_html(table)},
         {kJson, benchmark_json(table) + "\n"}};
     std::vector<std::filesystem::path> files;
     for (const auto& [name, text] : texts) files.push_back(out / name);
     StagedFiles staged(files);
     staged.write([&] {
-        for (const auto& [name, text] : texts) write_file(staged.staged(out / name), text);
+        for (const auto& [name, text] : texts) write_file(staged.staged(out / name), in_utf8(text));
     });
     staged.commit();
 }

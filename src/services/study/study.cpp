@@ -39,13 +39,21 @@ struct Task {
 /// How long a run takes, from when it can begin.
 class Stopwatch {
   public:
-    void note(StudyRecord& record) const {
-        record.seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        record.cpu_seconds = thread_seconds() - cpu_start_;
+    /// The run is at its end; what comes measures it.
+    void stop() {
+        end_ = std::chrono::steady_clock::now();
+        cpu_end_ = thread_seconds();
+    }
+    /// Until it was stopped, else until now.
+    void note(StudyRecord& record) {
+        if (!end_) stop();
+        record.seconds = std::chrono::duration<double>(*end_ - start_).count();
+        record.cpu_seconds = cpu_end_ - cpu_start_;
     }
 
   private:
+    std::optional<std::chrono::steady_clock::time_point> end_;
+    double cpu_end_ = 0.0;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     double cpu_start_ = thread_seconds();
 };
@@ -203,15 +211,15 @@ class Crew {
                        .examine = false,
                        .extractor = std::move(parts.extractor)});
         constexpr std::uint64_t kTellEvery = 64;
-        const std::optional<Truth> truth = run.reader().truth();
-        Calibration calibration;
+        study::RunCalibration calibration(run.reader());
         while (run.step()) {
-            if (truth) study::note_pose(calibration, run, truth->path);
+            calibration.note(run);
             if (options_.stop.stop_requested()) return std::nullopt;
             if (run.steps() % kTellEvery == 0) {
                 tell(place, run.reader().progress().value_or(0.0), nullptr);
             }
         }
+        watch.stop();
         return study::measure_run(study, folders_[s].work(), plan, number, run, calibration,
                                   options_.stop);
     }

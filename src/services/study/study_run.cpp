@@ -2,11 +2,11 @@
 
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/drawing/picture_file.hpp"
-#include "hitos/services/evaluation/nees.hpp"
 #include "hitos/services/evaluation/reference_fit.hpp"
 #include "hitos/services/grid/grid_builder.hpp"
 #include "hitos/services/results/results.hpp"
 #include "hitos/services/run/open_source.hpp"
+#include "hitos/services/run/step_figures.hpp"
 #include "study_files.hpp"
 
 namespace hitos {
@@ -55,17 +55,25 @@ References references_of(const Study& study, const Algoritmo& run) {
 
 }  // namespace
 
-void note_pose(Calibration& calibration, const Algoritmo& run, const Trajectory& truth) {
-    const std::uint64_t scan = run.steps() - 1;
-    if (scan >= truth.size()) return;
-    const SlamFilter& filter = run.filter();
-    const auto nees = pose_nees(filter.mean_pose(), filter.pose_covariance(), truth[scan].pose);
-    if (nees && std::isfinite(*nees)) calibration.pose.add(*nees);
+RunCalibration::RunCalibration(const TourReader& tour) {
+    if (std::optional<Truth> truth = tour.truth()) truth_.emplace(std::move(truth->path));
+}
+
+void RunCalibration::note(const Algoritmo& run) {
+    if (!truth_) return;
+    const std::optional<double> nees = nees_of(hitos::figures_of(run, 0.0), *truth_);
+    if (nees && std::isfinite(*nees)) calibration_.pose.add(*nees);
+}
+
+const Calibration* RunCalibration::counted(const SlamFilter& filter, const LandmarkMap& reference) {
+    if (!truth_) return nullptr;
+    if (!reference.empty()) count_landmarks(calibration_.landmarks, mixed_map(filter), reference);
+    return &calibration_;
 }
 
 std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& layout,
                                        const StudyPlan& plan, std::size_t number,
-                                       const Algoritmo& run, Calibration& calibration,
+                                       const Algoritmo& run, RunCalibration& calibration,
                                        const std::stop_token& stop) {
     StudyRecord record;
     const LandmarkMap map = run.filter().best_map();
@@ -84,10 +92,8 @@ std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& la
         if (stop.stop_requested()) return std::nullopt;
     }
     const Grid* grid = builder ? &builder->grid() : nullptr;
-    if (calibration.pose.count() > 0)
-        count_landmarks(calibration.landmarks, mixed_map(run.filter()), study.reference);
-    record.figures =
-        figures_of({run.evidence(), run.filter(), map, path, errors, grid, &calibration});
+    const Calibration* counted = calibration.counted(run.filter(), study.reference);
+    record.figures = figures_of({run.evidence(), run.filter(), map, path, errors, grid, counted});
     if (grid != nullptr && plan.pictured(number) && !grid->empty()) {
         const MapImage image = shrunk(map_image(*grid), kLongestPicture);
         write_picture(image.picture, grid_file(layout, plan, number));

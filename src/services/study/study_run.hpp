@@ -5,19 +5,32 @@
 #include <stop_token>
 
 #include "evaluation/calibration.hpp"
+#include "hitos/services/evaluation/position_error.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 #include "hitos/services/study/study.hpp"
 
 namespace hitos::study {
 
-/// Sets what the filter says of the newest scan's pose against the truth.
-void note_pose(Calibration& calibration, const Algoritmo& run, const Trajectory& truth);
+/// How the run's poses, and at its end its landmarks, lie in the filter's regions about them.
+class RunCalibration {
+  public:
+    /// Nothing is counted where the tour does not know the truth.
+    explicit RunCalibration(const TourReader& tour);
+    /// After a step.
+    void note(const Algoritmo& run);
+    /// Of the finished run, with a reference map in the world's frame; null without truth.
+    const Calibration* counted(const SlamFilter& filter, const LandmarkMap& reference);
+
+  private:
+    std::optional<PositionError> truth_;
+    Calibration calibration_;
+};
 
 /// Writes the run's map (and grid and path, where it is pictured) and gives its record. Nothing
 /// where the study was stopped before the grid's end.
 std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& layout,
                                        const StudyPlan& plan, std::size_t number,
-                                       const Algoritmo& run, Calibration& calibration,
+                                       const Algoritmo& run, RunCalibration& calibration,
                                        const std::stop_token& stop);
 
 }  // namespace hitos::study

@@ -11,6 +11,7 @@
 
 #include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/staged_folder.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/evaluation/reference_fit.hpp"
 #include "hitos/services/results/results.hpp"
@@ -49,6 +50,7 @@ std::string file_word(const std::string& name) {
                            (c >= 'A' && c <= 'Z') || c == '.' || c == '-' || c == '+';
         if (!plain) c = '_';
     }
+    if (word.starts_with('.')) word.front() = '_';  // neither hidden nor the folder above
     constexpr std::size_t kLongest = 80;
     constexpr std::size_t kTold = 6;
     if (word.size() > kLongest) word.resize(kLongest);
@@ -166,15 +168,16 @@ class Work {
                     "Errors", "the tour names no trajectory to measure a peer's against")));
             }
             const Trajectory reference = read_trajectory(tour.trajectory);
-            const auto error = trajectory_error(path, reference);
-            if (!error) {
-                throw FileError(peer.trajectory,
-                                HITOS_TEXT("Errors", "has no pose at a time of the reference's"));
-            }
-            const double value = error->rmse_m;
-            row.figures["trajectory_error_m"] = spread_of({&value, 1});
+            if (const auto doubt = fit_of_reference(path, reference).doubt())
+                row.remark = doubt->words();
+            const double error = trajectory_error(path, reference).value().rmse_m;
+            row.figures["trajectory_error_m"] = spread_of({&error, 1});
             row.runs = 1;
-            row.hash = Digest().add_file(peer.trajectory).text();
+            row.hash = Digest()
+                           .add_file(peer.trajectory)
+                           .add_file(tour.trajectory)
+                           .add(fmt::format("{}", error))
+                           .text();
         } catch (const Error& error) {
             row.failed = 1;
             row.problem = error.what();
@@ -194,6 +197,8 @@ class Work {
             }
             hash.add(record.map_digest);
             for (const Measure* measure : taken_measures()) {
+                // The grid is not always drawn.
+                if (measure->about == Measure::About::grid) continue;
                 const auto& figure = record.figures[*measure];
                 hash.add(figure ? fmt::format("{} {}", measure->word, *figure) : "");
             }
@@ -201,6 +206,8 @@ class Work {
             row.scans += static_cast<double>(record.scans) / cell.finished;
         }
         if (row.runs == plan_.runs) row.hash = hash.text();
+        for (const Advice& doubt : outcome.doubts)
+            row.remark += (row.remark.empty() ? "" : " ") + doubt.words();
         const std::filesystem::path sheet = studies_[place].layout.file("contact-sheet.png");
         std::error_code ignored;
         if (outcome.records.front().picture && std::filesystem::exists(sheet, ignored)) {
@@ -218,6 +225,7 @@ class Work {
 }  // namespace
 
 BenchmarkTable run_benchmark(const BenchmarkPlan& plan, const BenchmarkOptions& options) {
+    made_output_folder(options.out);
     BenchmarkTable table;
     table.title = plan.title;
     table.program = build_identity();

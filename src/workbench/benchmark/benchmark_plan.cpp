@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "hitos/base/digest.hpp"
@@ -61,7 +62,9 @@ BenchmarkTour tour_of(TomlEntry& entry, const Places& places) {
     BenchmarkTour tour;
     const std::string file = entry.text("file");
     tour.name = entry.value_or("name", stem_of(file), "a text in quotes");
-    tour.file = is_shipped_world(file) ? file : places.found(file);
+    // Whatever else has that name where the program is started.
+    tour.file = is_shipped_world(file) ? needed_file("data/worlds/" + file + ".toml").string()
+                                       : places.found(file);
     const auto path = [&](std::string_view key) {
         return places.found(entry.value_or(key, std::string(), "a path in quotes"));
     };
@@ -139,11 +142,8 @@ std::vector<Thing> list_of(const std::string& file, const toml::table& document,
 
 BenchmarkPlan plan_of(const std::string& file, const toml::table& document, const Places& places) {
     BenchmarkPlan plan;
-    toml::table single;
-    for (const auto& [key, node] : document) {
-        if (key != "tour" && key != "algorithm" && key != "peer") single.insert(key, node);
-    }
-    TomlEntry entry(file, single);
+    TomlEntry entry(file, document);
+    for (const char* list : {"tour", "algorithm", "peer"}) entry.has(list);
     plan.title = entry.value_or("title", stem_of(file), "a text in quotes");
     plan.runs = static_cast<int>(entry.whole_or("runs", 5, 1, StudyPlan::kMostRuns));
     plan.first_seed =
@@ -161,7 +161,12 @@ BenchmarkPlan plan_of(const std::string& file, const toml::table& document, cons
     expect(!plan.algorithms.empty(), "algorithm", "one [[algorithm]] at least");
     expect(plan.tours.size() * plan.algorithms.size() <= kMostRows, "algorithm",
            fmt::format("{} rows at the most, tours by algorithms", kMostRows));
+    std::set<std::pair<std::string, std::string>> rows;
     for (const BenchmarkPeer& peer : plan.peers) {
+        expect(rows.emplace(peer.tour, peer.name).second &&
+                   std::ranges::count(plan.algorithms, peer.name, &BenchmarkAlgorithm::name) == 0,
+               "peer",
+               fmt::format("a name that no other row of the tour has; found \"{}\"", peer.name));
         expect(std::ranges::count(plan.tours, peer.tour, &BenchmarkTour::name) > 0, "peer",
                fmt::format("the name of a tour; found \"{}\"", peer.tour));
     }

@@ -146,6 +146,23 @@ TEST(GraphSlam, EqualsADenseOracle) {
     EXPECT_LT((run.filter.pose_covariance() - pose).norm(), 0.02 * pose.norm());
 }
 
+// What landmarks that are seen again say of the pose counts before any loop is closed.
+TEST(GraphSlam, LandmarksSeenAgainBoundThePosesCovariance) {
+    const SimNoise noise;
+    GraphRun run = corridor_run(noise, 5);
+    const std::vector<Pose> path = corridor_path(kGraphStep, kMore);
+    run.drive(path);
+    GraphOracle oracle(run.filter.graph());
+    oracle.solve();
+    const double exact = oracle.pose_covariance().topLeftCorner<2, 2>().trace();
+    const double told = run.filter.pose_covariance().topLeftCorner<2, 2>().trace();
+    const double of_steps =
+        2.0 * noise.sigma_m * noise.sigma_m * static_cast<double>(path.size() - 1);
+    EXPECT_GT(told, 0.9 * exact);
+    EXPECT_LT(told, 2.0 * exact);
+    EXPECT_GT(of_steps, 2.0 * told) << "nor what its steps alone would say";
+}
+
 TEST(GraphSlam, ErrorsAreWhatTheCovariancesSay) {
     const SimNoise noise;
     const std::vector<Pose> path = corridor_path(kGraphStep, kMore);

@@ -4,6 +4,11 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <random>
+
 #include "hitos/base/error.hpp"
 #include "support.hpp"
 
@@ -107,6 +112,11 @@ TEST_F(BenchmarkTest, RefusesWhatIsNoPlan) {
                         "[[peer]]\nname = \"p\"\ntour = \"q\"\n"
                         "trajectory = \"t\"\n"),
                 HasSubstr("the name of a tour; found \"q\""));
+    EXPECT_THAT(
+        refusal(tour + algorithm + "[[tours]]\nfile = \"x\"\n"),
+        HasSubstr(":5: no such key; expected one of algorithm, first_seed, peer, runs, title, "
+                  "tour"));
+    EXPECT_THAT(refusal("runs = \"five\"\n" + tour + algorithm), HasSubstr(":1: runs: expected"));
     EXPECT_THAT(refusal("runs = \n"), HasSubstr(":1: "));
 }
 
@@ -180,6 +190,72 @@ TEST_F(BenchmarkTest, MeasuresPeersAsItMeasuresRuns) {
     EXPECT_NEAR(table.rows[0].figures["trajectory_error_m"]->mean, 0.1, 0.002);
 }
 
+// The first thing that somebody tries whose tours lie elsewhere.
+TEST_F(BenchmarkTest, OfToursThatAreAllBrokenThereIsATableToo) {
+    const BenchmarkTable table = run(plan("[[tour]]\nfile = \"a.log\"\n[[tour]]\nfile = \"b.log\"\n"
+                                          "[[algorithm]]\nname = \"x\"\n"),
+                                     "new");
+    write_benchmark(table, folder_ / "new");
+    EXPECT_EQ(read_benchmark(folder_ / "new").rows.size(), 2U);
+    EXPECT_THAT(content(folder_ / "new/benchmark.md"), HasSubstr("a.log"));
+}
+
+TEST_F(BenchmarkTest, NoNameLeadsOutOfItsFolder) {
+    std::string text = kSmall;
+    text.replace(text.find("file ="), 0, "name = \"..\"\n");
+    text.replace(text.find("\"EKF\""), 5, "\"..\"");
+    const test::TempFolder around;
+    BenchmarkOptions options;
+    options.out = around / "out";
+    options.pictures = false;
+    const BenchmarkTable table = run_benchmark(plan(text), options);
+    EXPECT_EQ(table.rows.at(1).runs, 2) << table.rows.at(1).problem;
+    EXPECT_EQ(around.files(), 1U);
+    std::size_t inside = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(around / "out")) {
+        EXPECT_EQ(entry.path().filename(), "runs");
+        ++inside;
+    }
+    EXPECT_EQ(inside, 1U);
+}
+
+// The first scans have no odometry before them: left out, the rest is still set against its own
+// poses.
+TEST_F(BenchmarkTest, TruthIsPairedByStamps) {
+    const std::string tour = std::string(kSmall).substr(0, std::string(kSmall).find("set ="));
+    const BenchmarkTable table =
+        run(plan(tour + "[[algorithm]]\nname = \"kept\"\npreset = \"ekf\"\nset = "
+                        "[\"source.scan_delay=-1\"]\n"
+                        "[[algorithm]]\nname = \"left out\"\npreset = \"ekf\"\nset = "
+                        "[\"source.scan_delay=-1\", \"source.early_scans=leave_out\"]\n"),
+            "out");
+    const auto nees = [&](std::size_t row) { return table.rows.at(row).figures["pose_nees"]; };
+    ASSERT_TRUE(nees(0) && nees(1)) << table.rows[0].problem << table.rows[1].problem;
+    EXPECT_LT(std::abs(std::log(nees(1)->mean / nees(0)->mean)), 0.7);
+}
+
+TEST_F(BenchmarkTest, PeersAreHeldToWhatRunsAreHeldTo) {
+    std::string truth;
+    for (int k = 0; k < 40; ++k) truth += fmt::format("{} {} 0 0 0 0 0 1\n", k, 0.1 * k);
+    folder_.put("truth.tum", truth);
+    folder_.put("short.tum", truth.substr(0, 50));
+    BenchmarkPlan small = plan(std::string(kSmall) +
+                               "[[peer]]\nname = \"peer\"\ntour = \"recinto\"\n"
+                               "trajectory = \"truth.tum\"\n");
+    small.algorithms.clear();
+    small.tours[0].trajectory = (folder_ / "truth.tum").string();
+    const std::string hash = run(small, "out").rows.at(0).hash;
+    folder_.put("other.tum", truth + "40 9 9 0 0 0 0 1\n");
+    small.tours[0].trajectory = (folder_ / "other.tum").string();
+    EXPECT_NE(run(small, "out").rows.at(0).hash, hash) << "another figure";
+    small.peers[0].trajectory = (folder_ / "short.tum").string();
+    const BenchmarkRow few = run(small, "out").rows.at(0);
+    EXPECT_EQ(few.failed, 1);
+    EXPECT_FALSE(few.problem.empty());
+    const std::string peer = "[[peer]]\nname = \"EKF\"\ntour = \"recinto\"\ntrajectory = \"t\"\n";
+    EXPECT_THAT(refusal(kSmall + peer), HasSubstr("a name that no other row of the tour has"));
+}
+
 TEST_F(BenchmarkTest, WritesWhatItReads) {
     BenchmarkTable table = run(plan(kSmall), "out");
     table.rows[1].problem = "1 < 2 & \"3\"";
@@ -226,9 +302,88 @@ TEST(BenchmarkChanges, TellChangesFromTheSpreadOfSeeds) {
     for (const BenchmarkChange& change : changes) verdicts.push_back(change.verdict);
     EXPECT_THAT(verdicts, ElementsAre(HowChanged::same, HowChanged::within, HowChanged::worse,
                                       HowChanged::better, HowChanged::appeared, HowChanged::gone));
-    // Variances of 1e-4 over three runs each: 1.96 sqrt(2e-4 / 3).
-    EXPECT_NEAR(changes[2].spread, 0.0160, 1e-4);
+    // Student's t of 24.5 with four degrees of freedom.
+    EXPECT_NEAR(changes[2].chance.value(), 1.65e-5, 2e-7);
     EXPECT_EQ(changes_table(changes).rows[2].back(), "worse");
+}
+
+// Tables of Student's distribution: 5 % lie further out.
+TEST(BenchmarkChanges, TheChanceIsStudents) {
+    const auto chance = [](double t, std::size_t runs) {
+        // Half of them one above the mean and half one below: n / (n - 1) is the variance.
+        std::vector<double> a;
+        for (std::size_t i = 0; i < runs; ++i) a.push_back(i % 2 == 0 ? 1.0 : -1.0);
+        const auto n = static_cast<double>(runs);
+        std::vector<double> b = a;
+        for (double& value : b) value += t * std::sqrt(2.0 / (n - 1.0));
+        BenchmarkTable before;
+        BenchmarkTable after;
+        before.rows = {row_of("x", "a", a)};
+        after.rows = {row_of("x", "b", b)};
+        return compare_benchmarks(before, after).at(0).chance.value();
+    };
+    EXPECT_NEAR(chance(4.3027, 2), 0.05, 1e-4);   // 2 degrees of freedom
+    EXPECT_NEAR(chance(2.4469, 4), 0.05, 1e-4);   // 6
+    EXPECT_NEAR(chance(2.1009, 10), 0.05, 1e-4);  // 18
+    EXPECT_NEAR(chance(2.8784, 10), 0.01, 1e-4);
+}
+
+// Of many figures some always look changed: not so many tables.
+TEST(BenchmarkChanges, WhatIsDrawnFromTheSameIsSeldomJudgedToHaveChanged) {
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal(1.0, 0.1);
+    const auto table = [&](const char* hash) {
+        BenchmarkTable one;
+        for (int row = 0; row < 40; ++row) {
+            std::vector<double> errors;
+            for (int run = 0; run < 5; ++run) errors.push_back(normal(random));
+            one.rows.push_back(row_of("x", hash, errors));
+            one.rows.back().tour = std::to_string(row);
+        }
+        return one;
+    };
+    int alarms = 0;
+    constexpr int kTables = 300;
+    for (int i = 0; i < kTables; ++i) {
+        const auto changes = compare_benchmarks(table("a"), table("b"));
+        alarms += std::ranges::any_of(changes, [](const BenchmarkChange& change) {
+            return change.verdict != HowChanged::within;
+        });
+    }
+    EXPECT_LT(alarms, kTables / 10);
+}
+
+TEST(BenchmarkChanges, OfRowsThatDrawNothingAtRandomOnlyRoundingMayDiffer) {
+    const auto verdict = [](double before, double after, std::size_t runs) {
+        BenchmarkTable old;
+        BenchmarkTable now;
+        old.rows = {row_of("x", "a", std::vector(runs, before))};
+        now.rows = {row_of("x", "b", std::vector(runs, after))};
+        return compare_benchmarks(old, now).at(0).verdict;
+    };
+    EXPECT_EQ(verdict(0.1, 0.1 + 1e-15, 3), HowChanged::within);
+    EXPECT_EQ(verdict(0.1, 0.1001, 3), HowChanged::worse);
+    EXPECT_EQ(verdict(0.1, 0.0999, 3), HowChanged::better);
+    EXPECT_EQ(verdict(0.1, 0.2, 1), HowChanged::unknown);
+    EXPECT_EQ(verdict(0.1, 0.1, 1), HowChanged::within);
+}
+
+TEST(BenchmarkChanges, RegionsAreBetterTowardsTheirShare) {
+    const auto verdict = [](const char* word, double before, double after) {
+        const auto table = [&](double value, const char* hash) {
+            BenchmarkTable one;
+            one.rows = {row_of("x", hash, {})};
+            const std::vector<double> same(3, value);
+            one.rows[0].figures[word] = spread_of(same);
+            return one;
+        };
+        return compare_benchmarks(table(before, "a"), table(after, "b")).at(0).verdict;
+    };
+    EXPECT_EQ(verdict("pose_in_95", 0.70, 0.94), HowChanged::better);
+    EXPECT_EQ(verdict("pose_in_50", 0.52, 0.90), HowChanged::worse);
+    EXPECT_EQ(verdict("landmark_in_99", 0.2, 0.98), HowChanged::better);
+    EXPECT_EQ(verdict("pose_nees", 0.05, 2.9), HowChanged::better);
+    EXPECT_EQ(verdict("landmark_nees", 2.1, 3.5), HowChanged::worse);
 }
 
 TEST(BenchmarkChanges, MoreLandmarksAreBetterOnlyTowardsTheirTrueNumber) {
@@ -237,7 +392,8 @@ TEST(BenchmarkChanges, MoreLandmarksAreBetterOnlyTowardsTheirTrueNumber) {
         one.rows.emplace_back();
         one.rows[0].reference_landmarks = 8;
         one.rows[0].hash = std::to_string(landmarks);
-        one.rows[0].figures["landmarks"] = spread_of({&landmarks, 1});
+        const std::vector<double> same(3, landmarks);
+        one.rows[0].figures["landmarks"] = spread_of(same);
         return one;
     };
     const auto verdict = [&](double before, double after) {

@@ -15,7 +15,6 @@
 #include <limits>
 #include <utility>
 
-#include "hitos/services/evaluation/position_error.hpp"
 #include "look/words_of.hpp"
 #include "run_list.hpp"
 #include "views/plot_style.hpp"
@@ -57,14 +56,11 @@ PathFigures path_figures(const Trajectory& path, const Trajectory& reference, bo
         path, reference,
         aligned ? std::optional(figures.absolute->pose_reference_estimate) : std::nullopt);
     figures.begin_s = path.front().time_s;
-    if (figures.errors.empty()) return figures;
-    Pose pose_estimate_reference = inverse(figures.absolute->pose_reference_estimate);
-    if (!aligned) {
-        const StampedPose& first = path[figures.errors.front().pose];
-        const std::optional<Pose> there = PositionError(reference).reference_at(first);
-        if (!there) return figures;
-        pose_estimate_reference = compose(first.pose, inverse(*there));
-    }
+    const std::optional<Pose> laid = aligned
+                                         ? std::optional(figures.absolute->pose_reference_estimate)
+                                         : first_alignment(path, reference);
+    if (!laid) return figures;
+    const Pose pose_estimate_reference = inverse(*laid);
     figures.reference.reserve(reference.size());
     for (const StampedPose& stamped : reference) {
         const Pose pose = compose(pose_estimate_reference, stamped.pose);

@@ -3119,10 +3119,6 @@
         <translation>el recorrido no nombra ninguna trayectoria con la que medir la de otro programa</translation>
     </message>
     <message>
-        <source>has no pose at a time of the reference&apos;s</source>
-        <translation>no tiene ninguna pose en un instante de la referencia</translation>
-    </message>
-    <message>
         <source>is neither a file nor a benchmark that comes with Hitos; those are %1</source>
         <translation>no es un archivo ni una comparativa que venga con Hitos; las que hay son %1</translation>
     </message>

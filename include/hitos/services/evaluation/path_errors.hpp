@@ -17,10 +17,15 @@ struct PathError {
     double error_m = 0.0;  ///< distance to the reference
 };
 
+/// What lays the first pose of the estimate that has one of the reference at its stamp on that one;
+/// nothing where none has.
+std::optional<Pose> first_alignment(const Trajectory& estimate, const Trajectory& reference,
+                                    double tolerance_s = kSameStamp);
+
 /// In the order of the estimate, paired as trajectory_error() pairs them; empty where no stamps
 /// agree. `pose_reference_estimate` takes the estimate into the reference's frame: with that of
 /// trajectory_error() (Horn 1987; Umeyama 1991) the root of the mean square is its `rmse_m`.
-/// Without one the first pair does, so that nothing that lies ahead counts, as in PositionError.
+/// Without one first_alignment() does, so that nothing that lies ahead counts, as in PositionError.
 std::vector<PathError> path_errors(const Trajectory& estimate, const Trajectory& reference,
                                    std::optional<Pose> pose_reference_estimate = {},
                                    double tolerance_s = kSameStamp);

@@ -60,6 +60,8 @@ struct Measure {
     std::string compared_word = {};
     std::string compared_label = {};
     std::string latex_label = {};
+    /// What it ought to be, where less is not better.
+    std::optional<double> target = {};
     /// Only tables for programs have it: for people there would be too many.
     bool detail = false;
     /// Tables of studies have it only where a run does: others keep the bytes that they had before

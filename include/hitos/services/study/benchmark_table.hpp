@@ -27,6 +27,7 @@ struct BenchmarkRow {
     /// Of all that its runs gave, bit by bit: figures and maps. Empty where one failed.
     std::string hash;
     std::string problem;        ///< why there is no figure, or why runs failed; else empty
+    std::string remark;         ///< what there is to doubt; else empty
     std::filesystem::path map;  ///< picture of the first run's grid map; empty: none
 };
 
@@ -44,8 +45,8 @@ struct BenchmarkTable {
 /// Writes benchmark.json, .csv, .md, .tex and .html, all of them or none. Throws FileError.
 void write_benchmark(const BenchmarkTable& table, const std::filesystem::path& out);
 
-/// The table as a row a row, with the digits that mean something.
-TextTable benchmark_table(const BenchmarkTable& table);
+/// The table as a row a row, with the digits that mean something; "m²", or for latex() "m^2".
+TextTable benchmark_table(const BenchmarkTable& table, bool for_latex = false);
 /// The same with every digit, as one JSON object.
 std::string benchmark_json(const BenchmarkTable& table);
 /// Reads what write_benchmark() wrote to that folder. Throws FileError and FormatError.
@@ -54,10 +55,11 @@ BenchmarkTable read_benchmark(const std::filesystem::path& out);
 /// How a figure of a row has changed.
 struct BenchmarkChange {
     enum class Verdict {
-        same,     ///< bit for bit
-        within,   ///< no more than the spread of the seeds lets differ
-        better,   ///< beyond it
-        worse,    ///< beyond it
+        same,     ///< the whole row, bit for bit
+        within,   ///< no more than chance lets differ
+        better,   ///< beyond that
+        worse,    ///< beyond that
+        unknown,  ///< of a single run nobody can tell
         gone,     ///< the row, or its figure, is not there any more
         appeared  ///< it was not there before
     };
@@ -67,12 +69,17 @@ struct BenchmarkChange {
     Verdict verdict = Verdict::same;
     std::optional<double> before = {};  ///< means
     std::optional<double> after = {};
-    double spread = 0.0;  ///< how far the means may lie apart by chance, in 95 of 100 cases
+    std::optional<double> chance = {};  ///< that they lie so far apart or further by chance
 };
 
-/// Of errors (less is better) and landmarks (their true number is better), row by row: a mean has
-/// changed where it lies further from the former one than twice the standard error of their
-/// difference, from the variances of both over their runs.
+/// Of errors, for which less is better, and of what has a value that it ought to have (landmarks as
+/// many as the reference's, Measure::target), row by row. The chance is that of Welch's test of
+/// both means ("The generalization of 'Student's' problem when several different population
+/// variances are involved", Biometrika 34, 1947); what is better or worse has one so small that
+/// among all figures that are judged not even one would look so by chance in 95 of 100 comparisons
+/// (Holm, "A simple sequentially rejective multiple test procedure", Scandinavian Journal of
+/// Statistics 6, 1979). Rows without spread, as those of algorithms that draw nothing at random,
+/// change beyond rounding or not at all.
 std::vector<BenchmarkChange> compare_benchmarks(const BenchmarkTable& before,
                                                 const BenchmarkTable& after);
 TextTable changes_table(const std::vector<BenchmarkChange>& changes);

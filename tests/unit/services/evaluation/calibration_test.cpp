@@ -5,6 +5,11 @@
 
 #include <cmath>
 #include <random>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "hitos/slam/slam_filter.hpp"
 
 namespace hitos {
 namespace {
@@ -74,6 +79,56 @@ TEST(Calibration, CountsLandmarksAgainstTheNearestOfTheirKind) {
     count_landmarks(coverage, {line(2.0, 0.1, 0.0)}, truth);
     count_landmarks(coverage, {corner(1.0, 1.0, 0.1)}, {line(2.0, 0.1, 0.0)});
     EXPECT_EQ(coverage.count(), 3);
+}
+
+/// Hypotheses with maps as they are told.
+class ToldMaps final : public SlamFilter {
+  public:
+    explicit ToldMaps(std::vector<LandmarkMap> maps) : maps_(std::move(maps)) {}
+    void step(const SlamInput& /*input*/) override {}
+    std::uint64_t steps() const override { return 1; }
+    Pose best_pose() const override { return {}; }
+    LandmarkMap best_map() const override { return maps_.front(); }
+    std::vector<Pose> best_history() const override { return {{}}; }
+    int best_count(FeatureKind /*kind*/) const override { return 0; }
+    std::span<const Association> associations() const override { return {}; }
+    std::vector<WeightedPose> hypotheses() const override {
+        return std::vector<WeightedPose>(maps_.size(),
+                                         {{}, 1.0 / static_cast<double>(maps_.size())});
+    }
+    LandmarkMap map(std::size_t hypothesis) const override { return maps_.at(hypothesis); }
+    FilterStatistics statistics() const override { return {}; }
+    Eigen::Matrix3d pose_covariance() const override { return Eigen::Matrix3d::Zero(); }
+
+  private:
+    std::vector<LandmarkMap> maps_;
+};
+
+// The mixture's mean is that of its parts, and its variance theirs and that of their means.
+TEST(Calibration, ParticlesMapsAreMixed) {
+    const ToldMaps filter({{corner(1.0, 1.0, 0.1)}, {corner(1.4, 1.0, 0.3)}});
+    const LandmarkMap mixed = mixed_map(filter);
+    const auto& point = std::get<Esquina>(mixed.at(0).value);
+    EXPECT_NEAR(point.x, 1.2, 1e-12);
+    EXPECT_NEAR(point.y, 1.0, 1e-12);
+    EXPECT_NEAR(mixed[0].covariance(0, 0), 0.5 * (0.01 + 0.09) + 0.04, 1e-12);
+    EXPECT_NEAR(mixed[0].covariance(1, 1), 0.05, 1e-12);
+    EXPECT_NEAR(mixed[0].covariance(0, 1), 0.0, 1e-12);
+}
+
+TEST(Calibration, AParticleThatLacksALandmarkSaysNothingOfIt) {
+    const ToldMaps filter(
+        {{corner(1.0, 1.0, 0.1), corner(6.0, 1.0, 0.1)}, {corner(6.0, 1.0, 0.1)}});
+    const LandmarkMap mixed = mixed_map(filter);
+    EXPECT_NEAR(std::get<Esquina>(mixed.at(0).value).x, 1.0, 1e-12);
+    EXPECT_NEAR(mixed[0].covariance(0, 0), 0.01, 1e-12);
+}
+
+TEST(Calibration, ALineIsMixedHoweverItIsWritten) {
+    const ToldMaps filter({{line(0.02, 0.1, 0.1)}, {line(0.02, 0.1 - kPi, 0.1)}});
+    const LandmarkMap mixed = mixed_map(filter);
+    EXPECT_NEAR(std::get<Recta>(mixed.at(0).value).rho, 0.0, 1e-12);
+    EXPECT_NEAR(mixed[0].covariance(0, 0), 0.01 + 0.0004, 1e-12);
 }
 
 }  // namespace

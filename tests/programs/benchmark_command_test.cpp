@@ -1,0 +1,118 @@
+// hitos-cli benchmark as a user calls it.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "command_test.hpp"
+
+namespace hitos::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class BenchmarkCommand : public CommandTest {
+  protected:
+    BenchmarkCommand() : CommandTest("benchmark") {}
+
+    /// Without the progress, which stderr tells.
+    json object(const std::string& arguments) const {
+        const Outcome outcome = shell(cli_ + " benchmark " + arguments + " --json 2>/dev/null");
+        EXPECT_EQ(outcome.status, 0) << outcome.output;
+        return json::parse(outcome.output);
+    }
+    /// When each run's record was written.
+    std::map<std::string, std::filesystem::file_time_type> records_of(const char* out) const {
+        std::map<std::string, std::filesystem::file_time_type> times;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(path(out))) {
+            const std::filesystem::path& file = entry.path();
+            if (file.extension() == ".json" && file.parent_path().filename() == "runs")
+                times[file.string()] = entry.last_write_time();
+        }
+        return times;
+    }
+    /// Two algorithms on a few scans.
+    std::string plan(const std::string& particles = "10") const {
+        return file("plan" + particles + ".toml",
+                    "runs = 3\n[[tour]]\nfile = \"recinto\"\nmap = \"" HITOS_SOURCE_DIR
+                    "/data/maps/recinto.map\"\nset = [\"source.world_set=laser.rate=0.5\"]\n"
+                    "[[algorithm]]\nname = \"particles\"\nset = [\"filter.particles=" +
+                        particles + "\"]\n[[algorithm]]\nname = \"EKF\"\npreset = \"ekf\"\n");
+    }
+};
+
+TEST_F(BenchmarkCommand, MakesATableWithPicturesAndGoesOn) {
+    const json told = object(plan() + " --out " + path("out"));
+    ASSERT_EQ(told.at("rows").size(), 2U);
+    EXPECT_EQ(told.at("rows")[0].at("runs"), 3);
+    EXPECT_FALSE(told.at("rows")[0].at("pose_in_95").is_null());
+    for (const char* name : {"benchmark.md", "benchmark.csv", "benchmark.tex", "benchmark.json"})
+        EXPECT_TRUE(fs::exists(path(std::string("out/") + name))) << name;
+    const std::string page = content(path("out/benchmark.html"));
+    EXPECT_THAT(page, HasSubstr("<img src=\"runs/recinto/particles/contact-sheet.png\""));
+    EXPECT_TRUE(fs::exists(path("out/runs/recinto/particles/contact-sheet.png")));
+    EXPECT_THAT(content(path("out/benchmark.tex")), HasSubstr("m$^2$"));
+    const auto records = records_of("out");
+    EXPECT_EQ(records.size(), 6U);
+    EXPECT_EQ(call(plan() + " --out " + path("out")).status, 0);
+    EXPECT_EQ(records_of("out"), records) << "nothing is done twice";
+}
+
+TEST_F(BenchmarkCommand, HasTheSameHashesWithoutPicturesAndInParts) {
+    const json whole = object(plan() + " --out " + path("whole"));
+    const Outcome part = call(plan() + " --no-pictures --shard 1/2 --out " + path("parts"));
+    EXPECT_EQ(part.status, 0);
+    EXPECT_THAT(part.output, HasSubstr("part 1 of 2 done"));
+    EXPECT_THAT(part.output, Not(HasSubstr("benchmark.html")));
+    EXPECT_EQ(call(plan() + " --no-pictures --shard 2/2 --out " + path("parts")).status, 0);
+    const auto records = records_of("parts");
+    EXPECT_EQ(records.size(), 6U);
+    EXPECT_EQ(call(plan() + " --no-pictures --out " + path("parts")).status, 0);
+    EXPECT_EQ(records_of("parts"), records);
+    const json parts = json::parse(content(path("parts/benchmark.json")));
+    for (std::size_t row : {0U, 1U})
+        EXPECT_EQ(parts.at("rows")[row].at("hash"), whole.at("rows")[row].at("hash"));
+}
+
+TEST_F(BenchmarkCommand, ComparesWithWhatWasThereBefore) {
+    const std::string out = " --no-pictures --out " + path("out");
+    const std::string compare = " --compare " + path("out");
+    EXPECT_EQ(call(plan() + out).status, 0);
+    EXPECT_EQ(object(plan() + out + compare).at("changes").at("same"), 2);
+    // With one particle the map is worse; EKF-SLAM is what it was.
+    const Outcome worse = call(plan("1") + out + compare);
+    EXPECT_EQ(worse.status, 2) << worse.output;
+    EXPECT_THAT(worse.output, HasSubstr("worse"));
+    EXPECT_THAT(content(path("out/changes.md")), HasSubstr("same bits"));
+    EXPECT_EQ(call(plan("1") + out).status, 0);
+    EXPECT_FALSE(fs::exists(path("out/changes.md"))) << "of another table";
+    refused(plan() + out + " --compare " + path("nowhere"), "nowhere");
+    refused(plan() + out + compare + " --shard 1/2", "a part is compared with nothing");
+}
+
+TEST_F(BenchmarkCommand, TakesAPartOfThePlan) {
+    const json told = object(plan() + " --no-pictures --runs 1 --only EKF --out " + path("out"));
+    ASSERT_EQ(told.at("rows").size(), 1U);
+    EXPECT_EQ(told.at("rows")[0].at("algorithm"), "EKF");
+    refused(plan() + " --only GMapping --out " + path("out"),
+            "expected a tour, an algorithm or a peer of the plan: recinto, particles, EKF");
+    refused("nothing --out " + path("out"), "those are calibration, recorded, worlds");
+}
+
+TEST_F(BenchmarkCommand, ARowThatCannotBeIsTold) {
+    const std::string broken = file("broken.toml", content(plan()) +
+                                                       "[[tour]]\nfile = \"gone.log\"\n"
+                                                       "address = \"https://example.org/\"\n");
+    const Outcome outcome = call(broken + " --no-pictures --out " + path("out"));
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.output, HasSubstr("gone, EKF: "));
+    EXPECT_THAT(outcome.output, HasSubstr("it can be had from https://example.org/"));
+    EXPECT_THAT(content(path("out/benchmark.html")), HasSubstr("gone.log: is not there"));
+}
+
+}  // namespace
+}  // namespace hitos::test
