@@ -43,16 +43,18 @@ class Stopwatch {
     void stop() {
         end_ = std::chrono::steady_clock::now();
         cpu_end_ = thread_seconds();
+        stopped_ = true;
     }
     /// Until it was stopped, else until now.
     void note(StudyRecord& record) {
-        if (!end_) stop();
-        record.seconds = std::chrono::duration<double>(*end_ - start_).count();
+        if (!stopped_) stop();
+        record.seconds = std::chrono::duration<double>(end_ - start_).count();
         record.cpu_seconds = cpu_end_ - cpu_start_;
     }
 
   private:
-    std::optional<std::chrono::steady_clock::time_point> end_;
+    bool stopped_ = false;
+    std::chrono::steady_clock::time_point end_ = {};
     double cpu_end_ = 0.0;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     double cpu_start_ = thread_seconds();
