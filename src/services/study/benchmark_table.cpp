@@ -34,7 +34,7 @@ std::vector<const Measure*> told_measures(const BenchmarkTable& table, bool for_
 /// The mean, and of several runs' errors the greatest behind it.
 std::string figure_words(const Measure& measure, const std::optional<Spread>& spread) {
     if (!spread) return kNoFigure;
-    const std::string mean = measure.rounded(spread->mean, true);
+    std::string mean = measure.rounded(spread->mean, true);
     if (spread->count < 2 || measure.unit.empty()) return mean;
     return fmt::format("{} ({})", mean, measure.rounded(spread->maximum, true));
 }
@@ -268,6 +268,7 @@ void write_benchmark(const BenchmarkTable& table, const std::filesystem::path& o
         {"benchmark.html", benchmark_html(table)},
         {kJson, benchmark_json(table) + "\n"}};
     std::vector<std::filesystem::path> files;
+    files.reserve(texts.size());
     for (const auto& [name, text] : texts) files.push_back(out / name);
     StagedFiles staged(files);
     staged.write([&] {

@@ -59,7 +59,7 @@ std::string file_word(const std::string& name) {
 
 /// What the tour's file is, if it is what the plan means. Throws Error.
 std::string checked_source(const BenchmarkTour& tour) {
-    const std::string source = source_named(tour.file);
+    std::string source = source_named(tour.file);
     std::error_code ignored;
     if (!std::filesystem::exists(source, ignored) && !tour.address.empty()) {
         throw FileError(source, HITOS_TEXT("Errors", "is not there; it can be had from %1"),

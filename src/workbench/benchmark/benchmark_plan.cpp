@@ -27,7 +27,7 @@ constexpr std::size_t kMostRows = 10'000;
 /// Where the paths of a plan lie.
 class Places {
   public:
-    Places(std::filesystem::path plan, std::filesystem::path tours)
+    Places(const std::filesystem::path& plan, std::filesystem::path tours)
         : folders_{std::move(tours), plan.parent_path()} {}
 
     /// Where it is; where it is nowhere, where it would be looked for first.
