@@ -269,6 +269,32 @@ TEST_P(FaultsOneByOne, OfTheFormerSummaryLeaveNoneOfItsFiles) {
     EXPECT_GT(faults, 5);
 }
 
+/// That another run's results cannot be looked at for once lets nobody put others in their place.
+TEST_P(FaultsOneByOne, OfAnotherRunsResultsDoNotLetThemGo) {
+    const Command command = command_named(GetParam(), place_);
+    ASSERT_EQ(place_.run(command.before).status, 0);
+    place_.keep("before");
+    before_ = place_.content();
+    Words unasked = command.words;
+    ASSERT_EQ(std::erase(unasked, "--replace"), 1U);
+    const Outcome refused = place_.run(unasked, watching("HITOS_FAULT_FILE=0:0"));
+    ASSERT_EQ(refused.status, 1) << refused.output;
+    const std::vector<Operation> operations = reported();
+    int faults = 0;
+    for (const Operation& operation : operations) {
+        if (operation.path.find("/out") == std::string::npos) continue;
+        place_.restore("before");
+        const Fault fault{operation, faults % 2 == 0 ? EIO : EACCES, ""};
+        const Outcome outcome = place_.run(unasked, watching(fault.order()));
+        EXPECT_NE(outcome.status, 0)
+            << fault.order() << ' ' << operation.what << ' ' << operation.path << ", said:\n"
+            << outcome.output;
+        EXPECT_EQ(difference(before_, place_.content()), "") << fault.order();
+        ++faults;
+    }
+    EXPECT_GT(faults, 2);
+}
+
 /// That the log cannot be looked at for once is told as such, with its name.
 TEST_P(FaultsOneByOne, OfTheLogAreToldOfTheLog) {
     const Command command = command_named(GetParam(), place_);

@@ -13,13 +13,13 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "commands.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/file_exchange.hpp"
 #include "hitos/base/input_files.hpp"
 #include "hitos/base/plural.hpp"
 #include "hitos/base/process.hpp"
@@ -60,8 +60,7 @@ std::vector<fs::path> outputs_of(const GraphOptions& options) {
 class GraphFolder {
   public:
     explicit GraphFolder(fs::path folder) : folder_(std::move(folder)) {
-        std::error_code unknown;
-        made_ = !fs::exists(folder_, unknown);
+        made_ = !is_there(folder_);
         prepare_output_folder(folder_);
     }
     ~GraphFolder() {
@@ -76,15 +75,13 @@ class GraphFolder {
 };
 
 void check_outputs(const GraphOptions& options, const std::vector<fs::path>& outputs) {
-    std::error_code unknown;
-    if (fs::exists(fs::path(options.out) / "summary.json", unknown)) {
+    if (is_there(fs::path(options.out) / "summary.json")) {
         throw FileError(options.out, verbatim("holds the results of a run, which would not be what "
                                               "they were; choose another folder"));
     }
     check_apart(outputs, std::vector<fs::path>{options.file, options.edits});
     for (const fs::path& output : outputs) {
-        std::error_code ignored;
-        if (options.replace || !fs::exists(output, ignored)) continue;
+        if (options.replace || !is_there(output)) continue;
         throw FileError(options.out,
                         verbatim(fmt::format("holds {}; choose another folder, or say --replace to "
                                              "put this graph in its place",

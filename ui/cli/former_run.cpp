@@ -8,10 +8,10 @@
 #include <ctime>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/file_exchange.hpp"
 #include "hitos/base/message.hpp"
 #include "hitos/base/parameter.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
@@ -45,8 +45,7 @@ std::string written_at(const std::filesystem::path& file) {
 
 void refuse_another_run(const std::filesystem::path& folder, const Configuracion& configuration) {
     const std::filesystem::path summary = folder / "summary.json";
-    std::error_code ignored;
-    if (!std::filesystem::exists(summary, ignored)) return;
+    if (!is_there(summary)) return;  // one that cannot be looked at is there
     const std::string written = written_at(summary);
     Configuracion former;
     try {

@@ -155,6 +155,27 @@ void install(const StudyLayout& staging, const StudyLayout& target) {
     for (const fs::path& path : {plan_file(staging), journal, staging.folder}) remove_whole(path);
 }
 
+/// Of an installation that cannot be finished: the tables that it has put in place already are no
+/// others' than its own.
+void take_back(const StudyLayout& staging, const StudyLayout& target) {
+    std::vector<WrittenFile> own;
+    std::vector<WrittenFile> files;
+    try {
+        const fs::path journal = staging.folder / kJournal;
+        files = files_named(parsed<nlohmann::json>(input::read_text(journal), journal.string()),
+                            journal, true);
+        if (is_there(plan_file(target))) own = read_plan_state(target).files;
+    } catch (const std::exception&) {
+        return;  // nobody knows what it has put there
+    }
+    for (const WrittenFile& file : files) {
+        const bool stays = file.name == relative(plan_file(target), target) ||
+                           is_of_run(target, file.name) ||
+                           std::ranges::count(own, file.name, &WrittenFile::name) > 0;
+        if (!stays && is_unchanged(file, target.folder)) remove_whole(target.folder / file.name);
+    }
+}
+
 /// Finishes what an interrupted publish() began. Only where nobody else is at work.
 void settle(const StudyLayout& target) {
     for (const StudyLayout& staging : {staging_of(target), next_study(target)}) {
@@ -162,6 +183,7 @@ void settle(const StudyLayout& target) {
             if (is_there(staging.folder / kJournal)) install(staging, target);
         } catch (const FormatError&) {
             // What it lists is not there as it was: then it is as if it had not begun.
+            take_back(staging, target);
             remove_whole(staging.folder / kJournal);
         }
     }
@@ -325,6 +347,11 @@ void StudyFolder::begin() {
 /// Of those that were killed: only where nobody else is at work.
 void StudyFolder::clear_leftovers() const {
     for (const char* folder : {"maps", "runs"}) remove_leftovers(work_.file(folder));
+    // Where several share the folder, others may be at work in it.
+    if (target_.prefix.empty()) {
+        remove_leftovers(target_.folder);
+        remove_leftovers(work_.folder);
+    }
 }
 
 void StudyFolder::reopen() {

@@ -10,6 +10,7 @@
 #include "export_dialog.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/file_exchange.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "look/screen_fit.hpp"
 #include "look/theme.hpp"
@@ -107,9 +108,8 @@ void StudyDialog::restyle() {
 
 /// A folder that this window filled goes on being filled without a question.
 bool StudyDialog::may_replace(const StudyLayout& layout) {
-    std::error_code ignored;
     if (layout.folder == layout_.folder ||
-        (!exists(layout.quality_file(), ignored) && !exists(layout.file("study.json"), ignored))) {
+        (!is_there(layout.quality_file()) && !is_there(layout.file("study.json")))) {
         return true;
     }
     return prompts_.confirm(
