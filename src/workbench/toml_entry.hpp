@@ -19,8 +19,7 @@
 
 namespace hitos {
 
-/// One table of a file. What is missing, unknown or of another kind is told with its
-/// line.
+/// One table of a file. What is missing, unknown or of another kind is told with its line.
 class TomlEntry {
   public:
     TomlEntry(const std::string& file, const toml::table& table) : file_(file), table_(table) {}

@@ -19,7 +19,7 @@ struct BenchmarkTour {
     std::string file;        ///< a path, or the name of a world that comes with Hitos
     std::string map;         ///< reference map; empty: none
     std::string trajectory;  ///< reference path (TUM); empty: none, or a world's own
-    std::string digest;      ///< what file_digest() must be; empty: nobody says
+    std::string digest;      ///< Digest::text() of the file; empty: nobody says
     std::string address;     ///< where the file can be had; empty: nobody says
     double noise = 0.0;      ///< level of what is added to the odometry of each run
     OdometryNoiseKind noise_kind = OdometryNoiseKind::relative_sigma;
@@ -61,9 +61,6 @@ std::vector<std::string> shipped_benchmarks();
 /// The path itself where it exists or is more than a bare name; else the plan of that name. Throws
 /// FileError that lists their names where there is none.
 std::filesystem::path find_benchmark(const std::string& name);
-
-/// The Digest of a tour's file, as plans state it.
-std::string file_digest(const std::filesystem::path& path);
 
 struct BenchmarkOptions {
     std::filesystem::path out;

@@ -66,7 +66,7 @@ std::string checked_source(const BenchmarkTour& tour) {
                         tour.address);
     }
     if (tour.digest.empty()) return source;
-    const std::string found = file_digest(source);
+    const std::string found = Digest().add_file(source).text();
     if (found != tour.digest) {
         throw FileError(source,
                         HITOS_TEXT("Errors",

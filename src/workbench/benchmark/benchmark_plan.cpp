@@ -7,7 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/folder_entries.hpp"
 #include "hitos/base/text_input.hpp"
@@ -212,10 +211,6 @@ std::filesystem::path find_benchmark(const std::string& name) {
                         fmt::format("{}", fmt::join(names, ", ")));
     }
     return shipped_file(kFolder) / (name + kEnding);
-}
-
-std::string file_digest(const std::filesystem::path& path) {
-    return Digest().add_file(path).text();
 }
 
 }  // namespace hitos
