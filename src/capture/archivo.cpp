@@ -12,11 +12,18 @@ struct Archivo::Cursor {
 };
 
 Archivo::Archivo(std::filesystem::path path, const LogFormat& format, ReadOptions options)
-    : path_(std::move(path)),
-      format_(format),
-      options_(std::move(options)),
-      scans_(std::make_unique<Cursor>(path_)),
-      odometry_(std::make_unique<Cursor>(path_)) {
+    : path_(std::move(path)), format_(format), options_(std::move(options)) {
+    std::vector<std::filesystem::path> files = {path_, path_};
+    if (format_.files != nullptr) files = format_.files(path_);
+    if (files.empty()) {
+        throw FormatError(
+            path_.string(), 0,
+            HITOS_TEXT("Errors", "is of the format %1, but no tour by itself; expected %2"),
+            format_.word, format_.purpose);
+    }
+    apart_ = files[0] != files[1];
+    scans_ = std::make_unique<Cursor>(files[0]);
+    odometry_ = std::make_unique<Cursor>(files[1]);
     if (format_.classify != nullptr && format_.make_conversor != nullptr) return;
     throw ConfigError(
         "source.format",
@@ -37,7 +44,7 @@ std::optional<RawLine> Archivo::read_odometry_line() {
 }
 
 std::optional<RawLine> Archivo::read(Cursor& cursor, LineKind wanted) {
-    const bool tells_damage = wanted == LineKind::scan;
+    const bool tells_damage = wanted == LineKind::scan || apart_;
     while (std::optional<LineReader::Line> line = cursor.reader.next()) {
         if (!line->damage.empty()) {
             if (tells_damage) damage_.note(line->number, std::move(line->damage));
@@ -48,7 +55,8 @@ std::optional<RawLine> Archivo::read(Cursor& cursor, LineKind wanted) {
         if (kind == wanted || kind == LineKind::both) {
             return RawLine{line->text, line->number, kind == LineKind::both};
         }
-        if (kind == LineKind::damaged && tells_damage) {
+        const bool elsewhere = apart_ && kind != LineKind::other;  // a line of the other file
+        if ((kind == LineKind::damaged || elsewhere) && tells_damage) {
             damage_.note(line->number, message(HITOS_TEXT("Errors", "not a line of the format %1"),
                                                format_.word));
         }

@@ -1,12 +1,14 @@
 // Where a laser sits, as users say it.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "hitos/base/geometry.hpp"
+#include "hitos/capture/scan.hpp"
 
 namespace hitos {
 
@@ -28,6 +30,10 @@ struct LaserPose {
     /// What the laser sees there, on the robot.
     Point2 mounted(const Point2& seen) const {
         return transform(pose_robot_laser, {seen.x, upside_down ? -seen.y : seen.y});
+    }
+    LandmarkSighting mounted(const LandmarkSighting& seen) const {
+        const Point2 point = mounted(seen.point());
+        return {std::hypot(point.x, point.y), std::atan2(point.y, point.x), seen.identity};
     }
 };
 

@@ -18,8 +18,8 @@ bool writable(const LogFormat& format) {
 Registry<LogFormat>& log_formats() {
     static Registry<LogFormat> table(
         "log format", "source.format",
-        {player_format(), radish_format(), normalized_format(), carmen_format(), rosbag_format(),
-         mcap_format(), db3_format(), rosbag2_format()});
+        {player_format(), radish_format(), normalized_format(), carmen_format(), mrclam_format(),
+         rosbag_format(), mcap_format(), db3_format(), rosbag2_format()});
     return table;
 }
 

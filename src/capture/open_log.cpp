@@ -256,6 +256,11 @@ std::vector<std::filesystem::path> with_changes(std::vector<std::filesystem::pat
 }  // namespace
 
 std::vector<std::filesystem::path> log_files(const std::filesystem::path& path) {
+    for (const LogFormat& format : log_formats().entries()) {
+        if (format.files == nullptr) continue;
+        std::vector<std::filesystem::path> files = format.files(path);
+        if (!files.empty()) return files;
+    }
     std::error_code error;
     const bool metadata = path.filename() == kRosbag2Metadata;
     if (!metadata && !std::filesystem::is_directory(path, error)) return with_changes({path});

@@ -113,13 +113,15 @@ std::optional<Scan> Procesador::next_scan() {
     for (;;) {
         const std::optional<RawLine> line = fuente_->read_scan_line();
         collect_damage();
-        if (!line) return std::nullopt;
         try {
-            std::optional<Scan> scan = conversor_scans_->scan(*line);
+            std::optional<Scan> scan =
+                line ? conversor_scans_->scan(*line) : conversor_scans_->last_scan();
+            if (!scan && !line) return std::nullopt;
             if (!scan) continue;
             if (last_scan_ && last_scan_->time_s == scan->time_s &&
                 last_scan_->points == scan->points && last_scan_->rays == scan->rays &&
-                last_scan_->run_starts == scan->run_starts) {
+                last_scan_->run_starts == scan->run_starts &&
+                last_scan_->landmarks == scan->landmarks) {
                 ++report_.duplicate_scans;
                 continue;
             }
@@ -142,7 +144,7 @@ std::optional<Scan> Procesador::next_scan() {
             ++report_.scans;
             return scan;
         } catch (const FormatError& error) {
-            note_damage(line->number, error.problem());
+            note_damage(line ? line->number : 0, error.problem());
         }
     }
 }
@@ -200,7 +202,7 @@ std::vector<TourFinding> Procesador::findings() const {
         found.push_back(
             {TourFinding::Kind::still_odometry, 0.0, std::move(what), {std::move(remedy)}});
     };
-    if (velocities_move_ && !poses_move_) {
+    if (velocities_move_ && first_pose_ && !poses_move_) {
         still(OdometryFrom::poses,
               marked(HITOS_TEXT("Errors",
                                 "the odometry's poses never change although its velocities do; all "

@@ -18,7 +18,9 @@ std::size_t trimmed(Scan& scan) {
     scan.points.shrink_to_fit();
     scan.run_starts.shrink_to_fit();
     scan.rays.shrink_to_fit();
-    return sizeof(Scan) + bytes_of(scan.points) + bytes_of(scan.run_starts) + bytes_of(scan.rays);
+    scan.landmarks.shrink_to_fit();
+    return sizeof(Scan) + bytes_of(scan.points) + bytes_of(scan.run_starts) + bytes_of(scan.rays) +
+           bytes_of(scan.landmarks);
 }
 
 std::size_t trimmed(Odometria& /*reading*/) {

@@ -19,6 +19,7 @@ std::optional<Scan> RememberedTour::next_scan() {
         scans.push_back(*scan);
         progress_.push_back(reader_->progress());
         note_bytes(sizeof(Scan) + scan->points.size() * sizeof(Point2) +
+                   scan->landmarks.size() * sizeof(LandmarkSighting) +
                    (scan->rays.size() + scan->run_starts.size()) * sizeof(std::uint32_t));
     }
     return scan;

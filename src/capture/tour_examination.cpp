@@ -131,7 +131,7 @@ void TourExamination::note(const Scan& scan) {
         first_scan_s_ = scan.time_s;
     }
     last_scan_s_ = scan.time_s;
-    if (scan.points.empty()) ++empty_scans_;
+    if (scan.empty()) ++empty_scans_;
     if (scans_ > 0 && moved > kMoves) {
         ++moved_scans_;
         if (!scan.points.empty() && scan.points == last_points_) {

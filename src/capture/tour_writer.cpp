@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+
+#include "hitos/base/error.hpp"
 
 namespace hitos {
 namespace {
@@ -16,6 +19,13 @@ Twist without_minus(Twist twist) {
 }  // namespace
 
 void TourWriter::write(const Scan& scan) {
+    if (!scan.landmarks.empty() && !says_landmarks()) {
+        throw FormatError(path_.string(), 0,
+                          HITOS_TEXT("Errors",
+                                     "the landmarks of line %1 (time %2) cannot be written as "
+                                     "readings of a laser; write them in the normalized format"),
+                          scan.line, std::to_string(scan.time_s));
+    }
     pending_.push_back({scan.time_s, scan.carries_odometry ? scan.line : 0, prepare(scan)});
 }
 

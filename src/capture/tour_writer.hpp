@@ -14,7 +14,7 @@ namespace hitos {
 /// Holds scans until the pose at their time is known and hands them, with it, to the format.
 class TourWriter : public LogWriter {
   public:
-    explicit TourWriter(const std::filesystem::path& path) : file_(path, true) {}
+    explicit TourWriter(const std::filesystem::path& path) : path_(path), file_(path, true) {}
 
     void write(const Scan& scan) final;
     void write(const Scan& scan, const Odometria* next) final;
@@ -27,10 +27,13 @@ class TourWriter : public LogWriter {
         Fan fan;                  ///< as said in the file
         std::string text;         ///< of the readings
         double ray_time_s = 0.0;  ///< from one ray to the next
+        bool landmarks = false;   ///< the text is of landmarks, not of points
     };
 
     /// Throws FormatError where the format cannot say the scan.
     virtual Prepared prepare(const Scan& scan) = 0;
+    /// Whether the format has words for landmarks that a sensor tells by themselves.
+    virtual bool says_landmarks() const { return false; }
     virtual void put_scan(std::string& out, const Prepared& scan, double time_s,
                           const Pose& pose_odom_robot) = 0;
     virtual void put_odometry(std::string& out, const Odometria& odometry,
@@ -53,6 +56,7 @@ class TourWriter : public LogWriter {
     Pose pose_at(double time_s, const Odometria& reading, double begin_s, const Pose& pose) const;
     void flush();
 
+    std::filesystem::path path_;
     AtomicFile file_;
     std::string out_;
     bool has_head_ = false;

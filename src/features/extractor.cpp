@@ -58,6 +58,17 @@ void check_lines(const Observation& seen) {
     }
 }
 
+/// Landmarks that a sensor told by themselves are corners, behind those that were found.
+void add_landmarks(const Scan& scan, Observation& out) {
+    if (scan.landmarks.empty()) return;
+    out.identities.assign(out.corners.size(), LandmarkSighting::kNameless);
+    for (const LandmarkSighting& seen : scan.landmarks) {
+        const Point2 point = seen.point();
+        out.corners.push_back({point.x, point.y});
+        out.identities.push_back(seen.identity);
+    }
+}
+
 }  // namespace
 
 void find_corners(Observation& seen, double corner_distance_m, double corner_angle_rad) {
@@ -118,6 +129,7 @@ PointErrors LineFinder::errors(const Scan& scan) const {
 
 void ExRectas::extract(const Scan& scan, Observation& out) {
     lines_.find(scan, out);
+    add_landmarks(scan, out);
 }
 
 void ExPuntos::extract(const Scan& scan, Observation& out) {
@@ -128,6 +140,7 @@ void ExPuntos::extract(const Scan& scan, Observation& out) {
         lines_.fit_all(scan, out);
     }
     find_corners(out, corner_distance_m_, corner_angle_rad_);
+    add_landmarks(scan, out);
     if (keep_lines_) {
         if (fit_) {
             out.lines = detected_;

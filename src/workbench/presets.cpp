@@ -5,15 +5,43 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/translatable.hpp"
 #include "hitos/capture/archivo.hpp"
+#include "hitos/capture/procesador.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/simulation/worlds/world.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 
 namespace hitos {
+
+namespace {
+
+bool has_landmarks(const std::string& world) {
+    try {
+        return !read_world(world).landmarks.at.empty();
+    } catch (const Error&) {  // whoever opens it is told
+        return false;
+    }
+}
+
+/// Whether the first scan that shows anything shows landmarks.
+bool shows_landmarks(std::unique_ptr<Fuente> log) {
+    constexpr int kLookedAt = 20;
+    Procesador reader(std::move(log), {});
+    for (int i = 0; i < kLookedAt; ++i) {
+        const std::optional<Scan> scan = reader.next_scan();
+        if (!scan || !scan->empty()) return scan && !scan->landmarks.empty();
+    }
+    return false;
+}
+
+}  // namespace
 
 std::span<const Preset> presets() {
     static const std::array table{
@@ -47,6 +75,11 @@ std::span<const Preset> presets() {
                           "FastSLAM 1.0 alone on logs of real robots: noise that grows with the "
                           "motion, gaps that end a line."),
                PresetPurpose::logs},
+        Preset{"landmarks", HITOS_TEXT("Preset", "Landmarks with names"),
+               HITOS_TEXT("Preset",
+                          "FastSLAM for sensors that tell landmarks by themselves, posts or codes, "
+                          "and say which one they see."),
+               PresetPurpose::logs},
     };
     return table;
 }
@@ -70,11 +103,15 @@ Configuracion preset_configuration(std::string_view word) {
 }
 
 std::string_view suited_preset(const std::string& source) {
-    if (is_world_file(source)) return kWorldPreset;
+    if (is_world_file(source)) return has_landmarks(source) ? kLandmarkPreset : kWorldPreset;
     if (source.empty()) return {};
     try {
         const LogFormat* format = recording_format(source);
-        if (format == nullptr) format = &open_log(source)->format();
+        if (format == nullptr) {
+            std::unique_ptr<Fuente> log = open_log(source);
+            format = &log->format();
+            if (shows_landmarks(std::move(log))) return kLandmarkPreset;
+        }
         if (format->of_robots) return kRobotPreset;
     } catch (const FileError&) {
         throw;  // else one that is read the next time is run with other values, and nobody is told

@@ -410,5 +410,36 @@ TEST_F(Lessons, AFalseLoopIsTakenOutAndTheTrueOneFound) {
     EXPECT_EQ(better.wrong, 0U);
 }
 
+TEST_F(Lessons, NamesAreWorthMostWhereTheRobotKnowsLeastWhereItIs) {
+    const auto worst = [](const std::vector<LessonSeen>& all) {
+        return std::ranges::max(all, {}, &LessonSeen::ate_m).ate_m;
+    };
+    const auto right = [](const LessonSeen& seen) { return seen.corners == 8; };
+    Change nameless{.set = {"association.known=off"}};
+    Change loud{.set = ratios("0.71"), .world_set = {"odometry.noise=1"}};
+    Change both = loud;
+    both.set.emplace_back("association.known=off");
+    const auto named = runs(10);
+    EXPECT_EQ(count(named, right), kSeeds);
+    EXPECT_LT(10.0 * ate(named), odometry_ate(named));
+    const auto guessed = runs(10, nameless);
+    EXPECT_GE(count(guessed, right), kSeeds - 4);
+    EXPECT_LT(ate(guessed), 1.5 * ate(named));
+    const auto loudly_named = runs(10, loud);
+    EXPECT_EQ(count(loudly_named, right), kSeeds);
+    EXPECT_LT(worst(loudly_named), 0.2);
+    const auto loudly_guessed = runs(10, both);
+    EXPECT_EQ(count(loudly_guessed, right), 0);
+    EXPECT_GT(worst(loudly_guessed), 2.0 * worst(loudly_named));
+    Change by_ekf = loud;
+    by_ekf.set.emplace_back("filter.algorithm=ekf-slam");
+    EXPECT_LT(ate(runs(10, by_ekf)), ate(loudly_named));
+    Change few = loud;
+    few.set.emplace_back("filter.particles=2");
+    const auto two = runs(10, few);
+    EXPECT_EQ(count(two, right), kSeeds);
+    EXPECT_GT(ate(two), 3.0 * ate(loudly_named));
+}
+
 }  // namespace
 }  // namespace hitos

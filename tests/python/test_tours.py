@@ -34,7 +34,17 @@ class Tours(unittest.TestCase):
                 self.assertEqual(tour.format, "world")
                 self.assertEqual(tour.truth.trajectory.shape[1], 4)
                 self.assertEqual(tour.truth.walls.shape[1:], (2, 2))
-                self.assertGreater(len(next(iter(tour))), 0)
+                scan = next(iter(tour))
+                self.assertEqual(len(scan) == 0, world == "posts")
+                self.assertEqual(len(scan.landmarks) == 0, world != "posts")
+
+    def test_landmarks_have_names(self):
+        seen = np.concatenate([scan.landmarks for scan in hitos.open("posts")])
+        self.assertEqual({*seen["identity"]}, set(range(15)))
+        self.assertLess(seen["range"].max(), 12.6)
+        self.assertLess(np.abs(seen["bearing"]).max(), 1.8)
+        nameless = hitos.open("posts", world_set={"landmarks.identities": "false"})
+        self.assertEqual({*next(iter(nameless)).landmarks["identity"]}, {-1})
 
     def test_recordings_open_by_topic(self):
         bag = SOURCE / "tests" / "fuzz" / "corpus" / "rosbag" / "two-lasers.bag"

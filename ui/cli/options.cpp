@@ -245,8 +245,11 @@ std::string_view suited_preset(const ConfigurationOptions& options, const std::s
 
 std::string suited_words(std::string_view preset) {
     if (preset.empty()) return {};
+    const char* why = preset == kWorldPreset      ? "a world"
+                      : preset == kLandmarkPreset ? "its sensor tells landmarks"
+                                                  : "a robot recorded it";
     return fmt::format("parameters: preset {} ({}); --preset and --config take others\n", preset,
-                       preset == kWorldPreset ? "a world" : "a robot recorded it");
+                       why);
 }
 
 Configuracion load(const ConfigurationOptions& options, std::string_view suited) {

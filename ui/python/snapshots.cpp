@@ -23,7 +23,8 @@ LandmarkRow row_of(const ICaracteristica& landmark) {
                     landmark.point().y,
                     landmark.observations,
                     landmark.first_seen,
-                    landmark.last_seen};
+                    landmark.last_seen,
+                    landmark.identity};
     if (const Recta* line = std::get_if<Recta>(&landmark.value)) {
         row.rho = line->rho;
         row.theta = line->theta;
@@ -46,7 +47,8 @@ std::vector<Field> landmark_fields() {
             {"y", "f8", offsetof(LandmarkRow, y)},
             {"observations", "i4", offsetof(LandmarkRow, observations)},
             {"first_seen", "u4", offsetof(LandmarkRow, first_seen)},
-            {"last_seen", "u4", offsetof(LandmarkRow, last_seen)}};
+            {"last_seen", "u4", offsetof(LandmarkRow, last_seen)},
+            {"identity", "i4", offsetof(LandmarkRow, identity)}};
 }
 
 std::vector<Field> association_fields() {
@@ -146,7 +148,8 @@ void bind_map(Class& snapshot) {
             [](const HeldState& s) { return view_of_rows(s->landmarks(), landmark_fields()); },
             R"(The best hypothesis' map, a structured array, lines before corners: kind ("line",
 "corner"), rho [m] and theta [rad] of a line (nan of a corner), x and y [m] of a corner or of the
-line's foot, observations, and the numbers of the scans first_seen and last_seen.)")
+line's foot, observations, the numbers of the scans first_seen and last_seen, and
+the identity that a sensor told, or -1.)")
         .def_property_readonly(
             "covariances",
             [](const HeldState& s) {

@@ -31,6 +31,7 @@ struct LandmarkRow {
     std::int32_t observations;
     std::uint32_t first_seen;
     std::uint32_t last_seen;
+    std::int32_t identity;
 };
 
 struct AssociationRow {

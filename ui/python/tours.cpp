@@ -5,8 +5,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "arguments.hpp"
 #include "arrays.hpp"
@@ -150,6 +153,15 @@ py::array pose_array(const Pose& pose) {
     return view(py::dtype::of<double>(), {3}, {sizeof(double)}, first, std::move(kept));
 }
 
+py::array landmarks_of(const ScanView& scan) {
+    using Seen = LandmarkSighting;
+    const std::vector<Field> fields = {{"identity", "i4", offsetof(Seen, identity)},
+                                       {"range", "f8", offsetof(Seen, range_m)},
+                                       {"bearing", "f8", offsetof(Seen, bearing_rad)}};
+    return view_of_rows(
+        std::shared_ptr<const std::vector<Seen>>(scan.scan(), &scan.scan()->landmarks), fields);
+}
+
 void bind_scan(py::module_& module) {
     py::class_<ScanView>(module, "Scan", R"(One laser scan. Its points are what the laser hit, in
 the robot's frame, in the order of the rays; rays without a usable reading leave none. All arrays
@@ -210,6 +222,10 @@ are read-only views of the scan's own memory and keep it alive.)")
         .def_property_readonly(
             "line", [](const ScanView& s) { return s.scan()->line; },
             "Line of the log, or number of the message, from 1.")
+        .def_property_readonly(
+            "landmarks", &landmarks_of,
+            R"(Landmarks that a sensor told by themselves, a structured array: identity, -1 where the
+sensor does not tell it, range [m] and bearing [rad] in the robot's frame.)")
         .def(
             "__len__", [](const ScanView& s) { return s.scan()->points.size(); },
             "How many points it has.")

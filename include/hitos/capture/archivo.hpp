@@ -49,6 +49,7 @@ class Archivo final : public Fuente {
     std::filesystem::path path_;
     const LogFormat& format_;
     ReadOptions options_;  // as far as its format's doubts depend on them
+    bool apart_ = false;   // whether the cursors read two files
     std::unique_ptr<Cursor> scans_;
     std::unique_ptr<Cursor> odometry_;
     HeldDamage damage_;

@@ -25,6 +25,8 @@ class Conversor {
   public:
     virtual ~Conversor() = default;
     virtual std::optional<Scan> scan(const RawLine& line) = 0;
+    /// Behind the last line: a scan of several lines, to which more might have come.
+    virtual std::optional<Scan> last_scan() { return std::nullopt; }
     virtual std::optional<OdometryRecord> odometry(const RawLine& line) = 0;
 };
 

@@ -47,6 +47,21 @@ struct TourBegin {
     friend bool operator==(const TourBegin&, const TourBegin&) = default;
 };
 
+/// A landmark as a sensor reports it that tells landmarks from the rest by itself: a beacon, a post
+/// with a code. In the robot frame, like points.
+struct LandmarkSighting {
+    static constexpr std::int32_t kNameless = -1;
+
+    double range_m = 0.0;
+    double bearing_rad = 0.0;
+    std::int32_t identity = kNameless;  ///< which landmark it is, from 0, where the sensor tells
+
+    Point2 point() const {
+        return {range_m * std::cos(bearing_rad), range_m * std::sin(bearing_rad)};
+    }
+    friend bool operator==(const LandmarkSighting&, const LandmarkSighting&) = default;
+};
+
 /// One scan: the points that were hit, in the ROBOT frame [m] (the sensor frame moved by the
 /// mounting pose where the log gives one), in ray order. Rays without a usable reading leave no
 /// point but end a run of neighbours.
@@ -55,6 +70,7 @@ struct Scan {
     std::vector<Point2> points;             ///< robot frame, ray order
     std::vector<std::uint32_t> run_starts;  ///< index of the first point of each run of neighbours
     std::vector<std::uint32_t> rays;        ///< ray number of each point; empty: unknown
+    std::vector<LandmarkSighting> landmarks;  ///< that a sensor told by themselves
     std::vector<float> times_s;     ///< of each point, from time_s on; empty: all of one time
     float first_s = 0.0F;           ///< when its first point was measured, and its last, from
     float last_s = 0.0F;            ///< time_s on, where they were moved to where they lay then
@@ -66,6 +82,7 @@ struct Scan {
 
     /// As logged, by the laser's clock: what paths are stamped with.
     double stamp_s() const { return time_s - delay_s; }
+    bool empty() const { return points.empty() && landmarks.empty(); }
     /// Index behind the last point of a run.
     std::uint32_t run_end(std::size_t run) const {
         return run + 1 < run_starts.size() ? run_starts[run + 1]

@@ -90,6 +90,7 @@ struct ICaracteristica {
     double to_m = std::numeric_limits<double>::infinity();
     std::uint32_t first_seen = 0;  ///< number of the scan that saw it first, from 0
     std::uint32_t last_seen = 0;   ///< of the one that saw it last
+    std::int32_t identity = -1;    ///< which one it is, from 0, where a sensor told that
 
     FeatureKind kind() const {
         return std::holds_alternative<Recta>(value) ? FeatureKind::line : FeatureKind::corner;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hitos/base/geometry.hpp"
+#include "hitos/capture/scan.hpp"
 #include "hitos/features/caracteristica.hpp"
 
 namespace hitos {
@@ -27,9 +28,12 @@ struct Observation {
     std::vector<Esquina> corners;
     std::vector<Point2> support;  ///< points of all lines, line by line
     /// Of (rho, theta) [m, rad] of each line and of (x, y) [m] of each corner; both empty where
-    /// the observation model's fixed variances are asked for.
+    /// the observation model's fixed variances are asked for. The last corners may have none:
+    /// landmarks that a sensor told by themselves.
     std::vector<Eigen::Matrix2d> line_covariances;
     std::vector<Eigen::Matrix2d> corner_covariances;
+    /// Which landmark each corner is, -1 where that is not known; empty where none is.
+    std::vector<std::int32_t> identities;
 
     bool empty() const { return lines.empty() && corners.empty(); }
     void clear() {
@@ -38,6 +42,10 @@ struct Observation {
         support.clear();
         line_covariances.clear();
         corner_covariances.clear();
+        identities.clear();
+    }
+    std::int32_t identity(std::size_t corner) const {
+        return corner < identities.size() ? identities[corner] : LandmarkSighting::kNameless;
     }
     std::span<const Point2> support_of(const DetectedLine& line) const {
         return std::span(support).subspan(line.first, line.count);

@@ -66,6 +66,7 @@ struct AssociationParams {
     bool segments = false;            ///< a line is found only beside where it was seen
     double segment_margin_m = 0.5;    ///< and that far beyond its ends
     bool exclusive = false;           ///< a landmark takes one observation of a scan
+    bool known = true;                ///< what says which landmark it is, is believed
     bool hypotheses = false;          ///< particles choose among the landmarks of an ambiguous one
 };
 

@@ -23,6 +23,7 @@ struct Association {
         stretches,      ///< matched: all that fit are stretches of one wall
         together,       ///< matched: of the pairings that fit best together
         twin,           ///< matched: with what an earlier feature of the scan made
+        known,          ///< matched: it says which landmark it is
         drawn,          ///< matched or created: drawn from all that are plausible
         fits_none,      ///< created: no landmark fits
         ambiguous,      ///< ignored: several landmarks are plausible

@@ -26,13 +26,16 @@ std::span<const Preset> presets();
 /// The word that leaves the choice to the source; no preset has it.
 inline constexpr std::string_view kAutoPreset = "auto";
 
-/// What a world has where nobody chooses, and what the recording of a robot has.
+/// What a world has where nobody chooses, what the recording of a robot has, and what either has
+/// whose sensor tells landmarks by itself.
 inline constexpr std::string_view kWorldPreset = "simulated";
 inline constexpr std::string_view kRobotPreset = "recorded";
+inline constexpr std::string_view kLandmarkPreset = "landmarks";
 
-/// The preset of a world file, or of a log or recording whose beginning is of a format that robots
-/// write. Empty where the source is another log, or is none, which whoever opens it is told: the
-/// defaults. Throws FileError where it cannot be read.
+/// The preset of a world file, of a log whose first scans are of landmarks, or of a log or
+/// recording whose beginning is of a format that robots write. Empty where the source is another
+/// log, or is none, which whoever opens it is told: the defaults. Throws FileError where it cannot
+/// be read.
 std::string_view suited_preset(const std::string& source);
 
 /// The parameters of the suited preset, else the defaults; they name no source. Throws FileError

@@ -21,6 +21,7 @@ LogFormat player_format();
 LogFormat radish_format();
 LogFormat normalized_format();
 LogFormat carmen_format();
+LogFormat mrclam_format();
 LogFormat rosbag_format();
 LogFormat mcap_format();
 LogFormat db3_format();

@@ -1,6 +1,7 @@
-// The normalised format of [T A.3]: points and velocities, nothing to convert. Written with digits
-// that read back as the same bits.
+// The normalised format of [T A.3]: points and velocities, nothing to convert; besides, landmarks
+// that a sensor tells by themselves. Written with digits that read back as the same bits.
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -20,7 +21,8 @@ namespace {
 bool claims_normalized(std::string_view text) {
     Fields fields(text);
     const std::string_view name = fields.take();
-    if (name == "LASER") return parse_double(fields.take()) && parse_integer(fields.take());
+    if (name == "LASER" || name == "LANDMARKS")
+        return parse_double(fields.take()) && parse_integer(fields.take());
     if (name != "ODOM") return false;
     const std::size_t count = fields.remaining();
     return (count == 3 || count == 4) && parse_double(fields.take());
@@ -28,7 +30,7 @@ bool claims_normalized(std::string_view text) {
 
 LineKind classify_normalized(std::string_view text) {
     const std::string_view name = Fields(text).peek();
-    if (name == "LASER") return LineKind::scan;
+    if (name == "LASER" || name == "LANDMARKS") return LineKind::scan;
     if (name == "ODOM") return LineKind::odometry;
     return other_or_damaged(text);
 }
@@ -42,13 +44,20 @@ class ConversorNormalized final : public Conversor {
     std::optional<OdometryRecord> odometry(const RawLine& line) override;
 
   private:
+    void read_points(Fields& fields, Scan& scan) const;
+    void read_landmarks(Fields& fields, Scan& scan) const;
+    /// Whether a reading is one of nothing: at the end of the range, or beyond.
+    bool too_far(double range_m) const {
+        return options_.max_range_m > 0.0 && range_m >= options_.max_range_m;
+    }
+
     ReadOptions options_;
     std::optional<LaserPose> laser_pose_;  // of the options
 };
 
 std::optional<Scan> ConversorNormalized::scan(const RawLine& line) {
     Fields fields(line);
-    fields.word("LASER");
+    const bool landmarks = fields.word("LASER") == "LANDMARKS";
     Scan scan;
     scan.line = line.number;
     scan.time_s = fields.number("time");
@@ -56,24 +65,53 @@ std::optional<Scan> ConversorNormalized::scan(const RawLine& line) {
         scan.fan.pose_robot_laser = laser_pose_->pose_robot_laser;
         scan.fan.upside_down = laser_pose_->upside_down;
     }
+    if (landmarks) {
+        read_landmarks(fields, scan);
+    } else {
+        read_points(fields, scan);
+    }
+    return scan;
+}
+
+void ConversorNormalized::read_points(Fields& fields, Scan& scan) const {
     // A scan that hit nothing is one too.
     const std::uint32_t count = fields.count("n", 0);
-    const double greatest = options_.max_range_m;
     bool run_open = false;
     for (std::uint32_t i = 0; i < count; ++i) {
         const double x = options_.range_scale * fields.reading("x");
         const double y = options_.range_scale * fields.reading("y");
         const bool none = (x == 0.0 && y == 0.0) || !std::isfinite(x) || !std::isfinite(y);
-        if (none || (greatest > 0.0 && std::hypot(x, y) >= greatest)) {
+        if (none || too_far(std::hypot(x, y))) {
             run_open = false;
             continue;
         }
         if (!run_open) scan.run_starts.push_back(static_cast<std::uint32_t>(scan.points.size()));
         run_open = true;
-        scan.points.push_back(laser_pose_ ? laser_pose_->mounted({x, y}) : Point2{x, y});
+        scan.points.push_back(laser_pose_ ? laser_pose_->mounted(Point2{x, y}) : Point2{x, y});
     }
     fields.expect_end(HITOS_TEXT("Errors", "the points that n announces"));
-    return scan;
+}
+
+void ConversorNormalized::read_landmarks(Fields& fields, Scan& scan) const {
+    const std::uint32_t count = fields.count("n", 0);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::string_view identity = fields.peek();
+        LandmarkSighting seen;
+        const std::int64_t named = fields.integer("identity");
+        if (named < LandmarkSighting::kNameless ||
+            named > std::numeric_limits<std::int32_t>::max()) {
+            fields.fail("identity", identity,
+                        HITOS_TEXT("Errors", "a whole number from 0, or -1 where it is unknown"));
+        }
+        seen.identity = static_cast<std::int32_t>(named);
+        const std::string_view range = fields.peek();
+        seen.range_m = options_.range_scale * fields.number("range");
+        if (seen.range_m < 0.0) fields.fail("range", range, HITOS_TEXT("Errors", "no less than 0"));
+        seen.bearing_rad = fields.number("bearing");
+        if (too_far(seen.range_m)) continue;
+        scan.landmarks.push_back(laser_pose_ ? laser_pose_->mounted(seen) : seen);
+    }
+    fields.expect_end(HITOS_TEXT("Errors", "the landmarks that n announces"));
 }
 
 std::optional<OdometryRecord> ConversorNormalized::odometry(const RawLine& line) {
@@ -112,6 +150,19 @@ void append_points(std::string& out, const Scan& scan) {
     }
 }
 
+/// Behind the time: "n identity range bearing …".
+void append_landmarks(std::string& out, const Scan& scan) {
+    append_count(out, scan.landmarks.size());
+    for (const LandmarkSighting& seen : scan.landmarks) {
+        out += ' ';
+        out += std::to_string(seen.identity);
+        out += ' ';
+        append_exact(out, seen.range_m);
+        out += ' ';
+        append_exact(out, seen.bearing_rad);
+    }
+}
+
 /// "ODOM time V W", and VL where there is a lateral velocity.
 void append_odometry(std::string& out, const Odometria& odometry) {
     out += "ODOM ";
@@ -132,6 +183,7 @@ class LogWriterNormalized final : public TourWriter {
 
   private:
     Prepared prepare(const Scan& scan) override;
+    bool says_landmarks() const override { return true; }
     void put_scan(std::string& out, const Prepared& scan, double time_s,
                   const Pose& pose_odom_robot) override;
     void put_odometry(std::string& out, const Odometria& odometry,
@@ -140,13 +192,18 @@ class LogWriterNormalized final : public TourWriter {
 
 TourWriter::Prepared LogWriterNormalized::prepare(const Scan& scan) {
     Prepared prepared;
-    append_points(prepared.text, scan);
+    prepared.landmarks = !scan.landmarks.empty();  // then it has no points: each is a line
+    if (prepared.landmarks) {
+        append_landmarks(prepared.text, scan);
+    } else {
+        append_points(prepared.text, scan);
+    }
     return prepared;
 }
 
 void LogWriterNormalized::put_scan(std::string& out, const Prepared& scan, double time_s,
                                    const Pose& /*pose_odom_robot*/) {
-    out += "LASER ";
+    out += scan.landmarks ? "LANDMARKS " : "LASER ";
     append_exact(out, time_s);
     out += ' ';
     out += scan.text;

@@ -26,16 +26,19 @@ bool same_pairs(std::span<const MapPair> a, std::span<const MapPair> b) {
     });
 }
 
+/// Where both maps say which landmarks they hold, those that do are of nothing else.
 std::vector<MapPair> nearest_pairs(const LandmarkMap& map, const LandmarkMap& reference) {
     std::vector<Point2> points;
     points.reserve(reference.size());
     for (const ICaracteristica& landmark : reference) points.push_back(landmark.point());
+    const bool identities = have_identities(map, reference);
     std::vector<MapPair> pairs;
     for (std::size_t i = 0; i < map.size(); ++i) {
         const Point2 point = map[i].point();
         std::optional<MapPair> best;
         for (std::size_t j = 0; j < reference.size(); ++j) {
             if (reference[j].kind() != map[i].kind()) continue;
+            if (identities && map[i].identity != reference[j].identity) continue;
             const double away = distance(point, points[j]);
             if (!best || away < best->distance_m) best = MapPair{i, j, away};
         }
@@ -180,7 +183,27 @@ Pose rigid_alignment(const Eigen::MatrixXd& points, const Eigen::MatrixXd& partn
     return {motion(0, 2), motion(1, 2), wrap_angle(std::atan2(motion(1, 0), motion(0, 0)))};
 }
 
+/// That of the points of landmarks.
+Pose alignment_of(std::span<const MapPair> pairs, const LandmarkMap& map,
+                  const LandmarkMap& reference) {
+    Eigen::MatrixXd points(2, pairs.size());
+    Eigen::MatrixXd partners(2, pairs.size());
+    Eigen::Index column = 0;
+    for (const MapPair& pair : pairs) {
+        const Point2 own = map[pair.landmark].point();
+        const Point2 there = reference[pair.reference].point();
+        points.col(column) << own.x, own.y;
+        partners.col(column++) << there.x, there.y;
+    }
+    return rigid_alignment(points, partners);
+}
+
 }  // namespace
+
+bool have_identities(const LandmarkMap& map, const LandmarkMap& reference) {
+    const auto said = [](const ICaracteristica& landmark) { return landmark.identity >= 0; };
+    return std::ranges::any_of(map, said) && std::ranges::any_of(reference, said);
+}
 
 std::optional<MapError> map_error(const LandmarkMap& map, const LandmarkMap& reference) {
     return error_of(nearest_pairs(map, reference), map, reference);
@@ -192,7 +215,8 @@ std::optional<AlignedMapError> aligned_map_error(const LandmarkMap& map,
     constexpr int kMostRounds = 200;
     std::vector<MapPair> pairs = nearest_pairs(map, reference);
     if (pairs.empty()) return std::nullopt;
-    Pose pose;
+    // Who says which landmark is which need not be near it to begin with.
+    Pose pose = have_identities(map, reference) ? alignment_of(pairs, map, reference) : Pose{};
     for (int round = 0; round < kMostRounds; ++round) {
         pose = PairFit(map, reference, pairs).from(pose);
         std::vector<MapPair> next = nearest_pairs(moved(map, pose), reference);

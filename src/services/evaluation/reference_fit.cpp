@@ -86,8 +86,14 @@ std::optional<Advice> doubt_of_map(const LandmarkMap& map, const LandmarkMap& re
     if (map.empty()) return std::nullopt;
     std::size_t near = 0;
     std::size_t all = 0;  // of a kind that the reference has
+    // Maps whose landmarks have names need not have their frame in common.
+    Pose pose;
+    if (have_identities(map, reference)) {
+        if (const auto aligned = aligned_map_error(map, reference))
+            pose = aligned->pose_reference_map;
+    }
     for (const ICaracteristica& landmark : map) {
-        const auto error = map_error({landmark}, reference);
+        const auto error = map_error({transform(pose, landmark)}, reference);
         if (!error) continue;
         ++all;
         if (error->mean_m <= kReach) ++near;

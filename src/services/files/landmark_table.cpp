@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/rounding.hpp"
@@ -29,11 +31,15 @@ void put_covariance(std::string& out, const Eigen::Matrix2d& covariance) {
 }  // namespace
 
 std::string landmark_table(const LandmarkMap& map) {
+    // Of few tours only: sensors that tell landmarks apart are rare.
+    const bool identities = std::ranges::any_of(
+        map, [](const ICaracteristica& landmark) { return landmark.identity >= 0; });
     std::string out =
         "map_line,kind,landmark,rho_m,theta_rad,x_m,y_m,"
         "cov_rho_rho_m2,cov_rho_theta_m_rad,cov_theta_theta_rad2,"
         "cov_x_x_m2,cov_x_y_m2,cov_y_y_m2,"
-        "from_m,to_m,observations,first_scan,last_scan\n";
+        "from_m,to_m,observations,first_scan,last_scan";
+    out += identities ? ",identity\n" : "\n";
     int row = 0;
     for (const FeatureKind kind : {FeatureKind::line, FeatureKind::corner}) {
         int number = 0;
@@ -60,8 +66,11 @@ std::string landmark_table(const LandmarkMap& map) {
                 put_covariance(out, landmark.covariance);
                 out += ",,";
             }
-            fmt::format_to(std::back_inserter(out), ",{},{},{}\n", landmark.observations,
+            fmt::format_to(std::back_inserter(out), ",{},{},{}", landmark.observations,
                            landmark.first_seen + 1, landmark.last_seen + 1);
+            if (identities) out += ',';
+            if (landmark.identity >= 0) out += std::to_string(landmark.identity);
+            out += '\n';
         }
     }
     return out;

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/rounding.hpp"
 #include "hitos/base/text_input.hpp"
+#include "hitos/capture/mrclam.hpp"
 
 namespace hitos {
 namespace {
@@ -22,6 +24,17 @@ constexpr const char* kExpectedFeature = HITOS_TEXT(
 
 double radians(double degrees) {
     return degrees * (kPi / 180.0);
+}
+
+std::int32_t identity_of(double number, const input::Place& place) {
+    constexpr double kMost = std::numeric_limits<std::int32_t>::max();
+    if (number < 0.0 || number > kMost || number != std::floor(number)) {
+        throw FormatError(
+            place.file, place.line,
+            HITOS_TEXT("Errors", "identity: found %1, expected a whole number from 0"),
+            fmt::format("{}", number));
+    }
+    return static_cast<std::int32_t>(number);
 }
 
 /// Reads one line of a map, from its left to its right.
@@ -42,6 +55,7 @@ class LineParser {
             if (key() != "y") fail_line();
             const double y = value("y");
             landmark.value = Esquina{x, y};
+            if (!input::trimmed(rest_).empty()) landmark.identity = identity();
         } else {
             fail_line();
         }
@@ -54,6 +68,11 @@ class LineParser {
     }
 
   private:
+    std::int32_t identity() {
+        if (key() != "identity") fail_line();
+        return identity_of(value("identity"), {name_, number_});
+    }
+
     /// In degrees every step to the normal form is exact.
     static Recta line_from(double rho, double degrees) {
         if (rho < 0.0) degrees = std::remainder(degrees, 360.0) + 180.0;
@@ -116,8 +135,39 @@ std::string feature_text(const ICaracteristica& landmark) {
                            without_sign_of_zero(degrees_that_read_back(recta->theta)));
     }
     const auto& esquina = std::get<Esquina>(landmark.value);
-    return fmt::format("x: {} y: {}\n", without_sign_of_zero(esquina.x),
-                       without_sign_of_zero(esquina.y));
+    const std::string identity =
+        landmark.identity < 0 ? "" : fmt::format(" identity: {}", landmark.identity);
+    return fmt::format("x: {} y: {}{}\n", without_sign_of_zero(esquina.x),
+                       without_sign_of_zero(esquina.y), identity);
+}
+
+LandmarkMap parse_lines(std::string_view text, const std::string& name) {
+    LandmarkMap map;
+    std::uint64_t number = 0;
+    while (const auto line = input::next_line(text)) {
+        ++number;
+        const std::string_view content = input::trimmed(line->substr(0, line->find('#')));
+        if (!content.empty()) map.push_back(LineParser(content, name, number).feature());
+    }
+    return map;
+}
+
+/// The marks of Landmark_Groundtruth.dat, which says how sure their places are too.
+LandmarkMap parse_mrclam_marks(std::string_view text, const std::string& name) {
+    constexpr std::array<std::string_view, 5> kColumns = {"subject", "x", "y", "x std-dev",
+                                                          "y std-dev"};
+    LandmarkMap map;
+    std::uint64_t number = 0;
+    while (const auto line = input::next_line(text)) {
+        ++number;
+        const std::string_view content = input::trimmed(*line);
+        if (content.empty() || content.starts_with('#')) continue;
+        const auto values = input::finite_numbers(content, kColumns, {name, number});
+        ICaracteristica& mark = map.emplace_back();
+        mark.value = Esquina{values[1], values[2]};
+        mark.identity = identity_of(values[0], {name, number});
+    }
+    return map;
 }
 
 }  // namespace
@@ -127,13 +177,7 @@ LandmarkMap read_map(const std::filesystem::path& path) {
 }
 
 LandmarkMap parse_map(std::string_view text, const std::string& name) {
-    LandmarkMap map;
-    std::uint64_t number = 0;
-    while (const auto line = input::next_line(text)) {
-        ++number;
-        const std::string_view content = input::trimmed(line->substr(0, line->find('#')));
-        if (!content.empty()) map.push_back(LineParser(content, name, number).feature());
-    }
+    LandmarkMap map = is_of_mrclam(text) ? parse_mrclam_marks(text, name) : parse_lines(text, name);
     if (map.empty()) {
         throw FormatError(name, 0, HITOS_TEXT("Errors", "no landmark in the file; %1"),
                           marked(kExpectedFeature));

@@ -13,6 +13,7 @@
 #include "hitos/base/median.hpp"
 #include "hitos/base/rounding.hpp"
 #include "hitos/base/text_input.hpp"
+#include "hitos/capture/mrclam.hpp"
 
 namespace hitos {
 namespace {
@@ -154,6 +155,21 @@ void to_seconds(Trajectory& trajectory, const Columns& columns, const std::strin
     for (StampedPose& pose : trajectory) pose.time_s /= unit;
 }
 
+/// Robot1_Groundtruth.dat, of which headings are angles.
+Trajectory parse_mrclam_way(std::string_view text, const std::string& name) {
+    constexpr std::array<std::string_view, 4> kColumns = {"t", "x", "y", "orientation"};
+    Trajectory trajectory;
+    std::uint64_t number = 0;
+    while (const auto line = input::next_line(text)) {
+        ++number;
+        const std::string_view content = input::trimmed(*line);
+        if (content.empty() || content.starts_with('#')) continue;
+        const auto [t, x, y, theta] = input::finite_numbers(content, kColumns, {name, number});
+        trajectory.push_back({t, {x, y, wrap_angle(theta)}});
+    }
+    return trajectory;
+}
+
 }  // namespace
 
 Trajectory read_trajectory(const std::filesystem::path& path) {
@@ -163,6 +179,10 @@ Trajectory read_trajectory(const std::filesystem::path& path) {
 Trajectory parse_trajectory(std::string_view text, const std::string& name) {
     text = input::without_mark(text);
     Trajectory trajectory;
+    if (is_of_mrclam(text)) {
+        trajectory = parse_mrclam_way(text, name);
+        text = {};
+    }
     Columns columns;
     Turns turns;
     std::uint64_t number = 0;

@@ -93,9 +93,9 @@ std::vector<Seen> seen_in(const Observation& observation, const ObservationParam
         const Matrix2 j = by_range_and_bearing(corner);
         Seen& seen = all.emplace_back();
         seen.feature.value = corner;
-        seen.feature.covariance = observation.corner_covariances.empty()
-                                      ? Matrix2(j * fixed * j.transpose())
-                                      : observation.corner_covariances[i];
+        seen.feature.covariance = i < observation.corner_covariances.size()
+                                      ? observation.corner_covariances[i]
+                                      : Matrix2(j * fixed * j.transpose());
     }
     return all;
 }

@@ -264,6 +264,11 @@ std::string map_data(const FinishedRun& finished) {
                          finished.segments, grid});
 }
 
+/// Landmarks alone say nothing of what is free or occupied.
+bool shows_space(const FinishedRun& finished) {
+    return !finished.run.shows_landmarks_alone();
+}
+
 std::vector<RunOutput> make_outputs() {
     using Run = FinishedRun;
     return {
@@ -287,11 +292,12 @@ std::vector<RunOutput> make_outputs() {
                       configuration.source.file = in_utf8(configuration.source.file);
                       ArchivoConfiguracion::write(configuration, file, r.folder);
                   }),
-        grid(
-            "grid_best_steps", [](const Run& r) -> const Grid& { return r.run.step_grid(); },
-            best_path),
-        rereading(whole_grid("grid_best", best_path)),
-        rereading(grid("grid_odometry", odometry_grid, odometry_path)),
+        where(shows_space,
+              grid(
+                  "grid_best_steps", [](const Run& r) -> const Grid& { return r.run.step_grid(); },
+                  best_path)),
+        rereading(where(shows_space, whole_grid("grid_best", best_path))),
+        rereading(where(shows_space, grid("grid_odometry", odometry_grid, odometry_path))),
         rereading(where(of_a_particle,
                         whole_grid(std::string("grid_particle_") + kNumber, particle_path))),
         where([](const Run& r) { return !r.summary.distances.empty(); },
@@ -310,7 +316,7 @@ std::vector<RunOutput> make_outputs() {
               output({"changes.csv", "changes.png"}, write_changes)),
         where([](const Run& r) { return r.references.trajectory.has_value(); },
               output({"paths.png", "paths.gp"}, write_paths)),
-        rereading(where([](const Run& r) { return !r.references.walls.empty(); },
+        rereading(where([](const Run& r) { return !r.references.walls.empty() && shows_space(r); },
                         output({"odometry_scans.png", "odometry_scans.gp"}, write_odometry_scans))),
         where([](const Run& r) { return r.run.options().uncertainty; },
               output({"uncertainty.png", "uncertainty.csv", "uncertainty.dat", "uncertainty.gp"},

@@ -95,6 +95,8 @@ bool Algoritmo::step(AssociationRecord* record) {
         return false;
     }
     state_.scan = std::move(*scan);
+    state_.saw_points = state_.saw_points || !state_.scan.points.empty();
+    state_.saw_landmarks = state_.saw_landmarks || !state_.scan.landmarks.empty();
     if (examination_) examination_->note(state_.scan);
     state_.controls->controls_until(state_.scan, step_controls_);
     if (state_.scan.begins_tour && steps() > 0) begin_second_tour();
@@ -236,7 +238,7 @@ std::vector<Advice> Algoritmo::advice() const {
     }
     const bool of_robot =
         log_formats().knows(reader_->format()) && log_formats().find(reader_->format()).of_robots;
-    if (of_robot && !state_.registration) {
+    if (of_robot && !state_.registration && !shows_landmarks_alone()) {
         advice.insert(
             advice.begin(),
             {HITOS_TEXT("Advice",

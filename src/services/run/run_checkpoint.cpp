@@ -55,7 +55,7 @@ std::vector<StatePart> parts_of(const RunState& state, const Grid& step_grid) {
     end("hypotheses");
     for (const ICaracteristica& one : map) {
         put(bytes, one.point(), one.covariance, one.observations, one.from_m, one.to_m,
-            one.first_seen, one.last_seen);
+            one.first_seen, one.last_seen, one.identity);
     }
     end("landmarks");
     note("path", path);

@@ -346,7 +346,10 @@ void StudyFolder::begin() {
 
 /// Of those that were killed: only where nobody else is at work.
 void StudyFolder::clear_leftovers() const {
-    for (const char* folder : {"maps", "runs"}) remove_leftovers(work_.file(folder));
+    for (const char* folder : {"maps", "runs", "pictures"}) {
+        remove_leftovers(work_.file(folder));
+        remove_leftovers(target_.file(folder));
+    }
     // Where several share the folder, others may be at work in it.
     if (target_.prefix.empty()) {
         remove_leftovers(target_.folder);

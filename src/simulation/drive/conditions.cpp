@@ -22,6 +22,7 @@ void append_box(const Disturbance& box, std::vector<WallSegment>& walls) {
 
 Surroundings::Surroundings(std::vector<WallSegment> walls, const World& world) {
     const Fan fan = fan_of(world.laser);
+    if (!world.landmarks.at.empty()) walls_ = walls;
     if (world.raster.cell_m > 0.0) {
         raster_ = std::make_shared<RasterLaser>(walls, world.raster, fan);
     } else {
@@ -41,9 +42,19 @@ RayHit Surroundings::hit(const Pose& pose_world_robot, std::uint32_t ray) const 
     return raster_ ? raster_->hit(pose_world_robot, ray) : laser_->hit(pose_world_robot, ray);
 }
 
+bool Surroundings::sees(const Point2& from, const Point2& to) const {
+    constexpr double kBefore = 0.01;  // [m]
+    const double way = distance(from, to);
+    const double part = way > kBefore ? 1.0 - kBefore / way : 0.0;
+    const Point2 before{from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)};
+    return std::ranges::none_of(
+        walls_, [&](const WallSegment& wall) { return distance(wall, from, before) == 0.0; });
+}
+
 ConditionTrack::ConditionTrack(const World& world) {
     Conditions first;
-    first.laser_sigma_m = world.laser.sigma_m;
+    first.laser_sigma_m =
+        world.landmarks.at.empty() ? world.laser.sigma_m : world.landmarks.sigma_range_m;
     first.odometry_noise = world.odometry.noise;
     track_.push_back(first);
     walls_ = walls_after(0, world);

@@ -23,8 +23,12 @@ class Surroundings {
     void cast(const Pose& pose_world_robot, std::vector<RayHit>& out) const;
     /// Of one ray.
     RayHit hit(const Pose& pose_world_robot, std::uint32_t ray) const;
+    /// Whether no wall stands between two points [m, world frame]; of worlds with landmarks. What
+    /// is fixed to a wall is seen from before it.
+    bool sees(const Point2& from, const Point2& to) const;
 
   private:
+    std::vector<WallSegment> walls_;               // where landmarks may be behind them
     std::shared_ptr<const SimulatedLaser> laser_;  // of the two there is one
     std::shared_ptr<const RasterLaser> raster_;
 };

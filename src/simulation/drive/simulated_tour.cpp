@@ -185,7 +185,49 @@ Pose SimulatedTour::true_pose(std::uint64_t k) const {
     return between(world_.tour.start, motion_->path().pose_at(scan_time(k)));
 }
 
+Scan SimulatedTour::seen_landmarks(std::uint64_t k) const {
+    Scan scan;
+    scan.time_s = scan_time(k);
+    scan.fan.pose_robot_laser = fan_.pose_robot_laser;
+    Pose sensor;
+    Conditions now;
+    std::shared_ptr<const Surroundings> around;
+    {
+        const std::lock_guard lock(mutex_);
+        sensor = compose(motion_->path().pose_at(scan.time_s), fan_.pose_robot_laser);
+        now = motion_->conditions().at(scan.time_s);
+        around = motion_->conditions().surroundings(now, world_);
+    }
+    const MarkParams& marks = world_.landmarks;
+    const double widest_rad = 0.5 * world_.laser.field_of_view_deg * kRadiansPerDegree;
+    const double turned_rad = world_.laser.fan_turn_deg * kRadiansPerDegree;
+    RandomStream random(world_.seed, RandomPurpose::laser_noise, k, 0);
+    for (std::size_t i = 0; i < marks.at.size(); ++i) {
+        const auto noise = random.normal_pair();  // every landmark has its draw, seen or not
+        const Point2 at = transform(inverse(sensor), marks.at[i]);
+        const double range = std::hypot(at.x, at.y);
+        const double bearing = std::atan2(at.y, at.x);
+        if (scan.time_s < now.blind_until_s || range > world_.laser.max_range_m ||
+            std::abs(wrap_angle(bearing - turned_rad)) > widest_rad ||
+            !around->sees({sensor.x, sensor.y}, marks.at[i])) {
+            continue;
+        }
+        LandmarkSighting seen{
+            std::max(0.0, range + now.laser_sigma_m * noise[0]),
+            wrap_angle(bearing + marks.sigma_bearing_deg * kRadiansPerDegree * noise[1])};
+        const Point2 point = transform(fan_.pose_robot_laser, seen.point());
+        if (fan_.pose_robot_laser != Pose()) {
+            seen.range_m = std::hypot(point.x, point.y);
+            seen.bearing_rad = std::atan2(point.y, point.x);
+        }
+        if (marks.identities) seen.identity = static_cast<std::int32_t>(i);
+        scan.landmarks.push_back(seen);
+    }
+    return scan;
+}
+
 Scan SimulatedTour::scan(std::uint64_t k) const {
+    if (!world_.landmarks.at.empty()) return seen_landmarks(k);
     struct Moment {
         double time_s;
         Pose pose;

@@ -138,8 +138,9 @@ bool same_world(const World& a, const World& b) {
         if (!same(key.get(a), key.get(b))) return false;
     }
     return same(a.walls, b.walls) && same(a.doors, b.doors) && same(a.walkers, b.walkers) &&
-           same(a.tour.start, b.tour.start) && same(a.tour.way_points, b.tour.way_points) &&
-           same(a.tour.commands, b.tour.commands) && same(a.tour.events, b.tour.events);
+           same(a.landmarks.at, b.landmarks.at) && same(a.tour.start, b.tour.start) &&
+           same(a.tour.way_points, b.tour.way_points) && same(a.tour.commands, b.tour.commands) &&
+           same(a.tour.events, b.tour.events);
 }
 
 /// Edits that take effect together, where the text then says what is expected of it.
@@ -182,6 +183,11 @@ class WorldText::Change {
     void people(std::span<const Walker> people) {
         expected_.walkers.assign(people.begin(), people.end());
         put("", "people", values_of(people), true);
+    }
+
+    void landmarks(const std::vector<Point2>& marks) {
+        expected_.landmarks.at = marks;
+        put("landmarks", "at", points_of(marks).list, false);
     }
 
     void start(const Pose& start) {
@@ -390,6 +396,7 @@ void WorldText::set(const World& world) {
     for (const WallSegment& door : world.doors) doors.emplace_back(door.a, door.b);
     change.doors(doors);
     change.people(world.walkers);
+    change.landmarks(world.landmarks.at);
     change.start(world.tour.start);
     std::vector<Point2> way_points;
     for (const WayPoint& point : world.tour.way_points) way_points.push_back(point.at);

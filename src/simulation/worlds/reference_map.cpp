@@ -42,10 +42,23 @@ std::optional<Point2> shared_point(const WallSegment& one, const WallSegment& ot
     return Point2{one.a.x + s * d.x, one.a.y + s * d.y};
 }
 
+LandmarkMap marks(const World& world, const Pose& pose_start_world) {
+    LandmarkMap map;
+    for (const Point2& mark : world.landmarks.at) {
+        const Point2 point = transform(pose_start_world, mark);
+        ICaracteristica& landmark = map.emplace_back();
+        landmark.value = Esquina{point.x, point.y};
+        if (world.landmarks.identities)
+            landmark.identity = static_cast<std::int32_t>(map.size()) - 1;
+    }
+    return map;
+}
+
 }  // namespace
 
 LandmarkMap reference_map(const World& world) {
     const Pose pose_start_world = inverse(world.tour.start);
+    if (!world.landmarks.at.empty()) return marks(world, pose_start_world);
     std::vector<WallSegment> walls = world.walls;
     for (WallSegment& wall : walls) {
         wall.a = transform(pose_start_world, wall.a);

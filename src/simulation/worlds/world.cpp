@@ -34,11 +34,12 @@ class Reading {
                 continue;
             }
             const std::string_view name = key.str();
-            if (name != "tour" && name != "robot" && name != "laser" && name != "raster" &&
-                name != "odometry") {
+            if (name != "tour" && name != "robot" && name != "laser" && name != "landmarks" &&
+                name != "raster" && name != "odometry") {
                 fail(key.source(), message(HITOS_TEXT("Errors",
                                                       "[%1]: no such group; expected [tour], "
-                                                      "[robot], [laser], [raster] or [odometry]"),
+                                                      "[robot], [laser], [landmarks], [raster] or "
+                                                      "[odometry]"),
                                            name));
             }
             for (const auto& [inner, value] : *group)
@@ -88,7 +89,8 @@ class Reading {
                      HITOS_TEXT(
                          "Errors",
                          "%1: no such key; expected walls, walls_dxf, dxf_layer, dxf_unit, doors, "
-                         "people, seed, [tour], [robot], [laser], [raster] or [odometry]"),
+                         "people, seed, [tour], [robot], [laser], [landmarks], [raster] or "
+                         "[odometry]"),
                      name));
         }
     }
@@ -101,6 +103,10 @@ class Reading {
         }
         if (key == "tour.way_points") {
             read_way_points(where, node);
+            return;
+        }
+        if (key == "landmarks.at") {
+            world_lists::read_landmarks(world_, path_, node);
             return;
         }
         if (key == "tour.commands" || key == "tour.events") {

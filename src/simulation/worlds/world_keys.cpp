@@ -19,6 +19,7 @@ using W = World;
 using Tour = TourParams;
 using Robot = RobotParams;
 using Laser = LaserParams;
+using Marks = MarkParams;
 using Raster = RasterParams;
 using Odometry = OdometryParams;
 
@@ -126,6 +127,17 @@ std::vector<WorldKey> make_keys() {
              HITOS_TEXT("Parameter",
                         "one ray in so many is traced and the ranges between are interpolated, as "
                         "Stage 2 can; 1: all")}),
+        real<&W::landmarks, &Marks::sigma_range_m>(
+            {"landmarks.sigma_range", "m", 0, 100, HITOS_TEXT("ParameterLabel", "σ range"),
+             HITOS_TEXT("Parameter", "standard deviation of a landmark's range")}),
+        real<&W::landmarks, &Marks::sigma_bearing_deg>(
+            {"landmarks.sigma_bearing", "degrees", 0, 180,
+             HITOS_TEXT("ParameterLabel", "σ bearing"),
+             HITOS_TEXT("Parameter", "standard deviation of a landmark's bearing")}),
+        choice<&W::landmarks, &Marks::identities>(
+            {"landmarks.identities", HITOS_TEXT("ParameterLabel", "Identities"),
+             HITOS_TEXT("Parameter", "whether the sensor tells which landmark it sees")},
+            yes_no),
         real<&W::raster, &Raster::cell_m>(
             {"raster.cell", "m", 0, 1, HITOS_TEXT("ParameterLabel", "Cell"),
              HITOS_TEXT("Parameter", "cells in which the laser sees the walls; 0: none")}),
@@ -189,6 +201,7 @@ const WorldKey& find(std::string_view key) {
     }
     if (group == "tour.")
         near.insert(near.end(), {"tour.start", "tour.way_points", "tour.commands", "tour.events"});
+    if (group == "landmarks.") near.emplace_back("landmarks.at");
     if (near.empty()) {
         for (const WorldKey& other : world_keys()) near.push_back(other.key);
     }

@@ -216,6 +216,14 @@ void read_people(World& world, const Path& path, const toml::node& node) {
     }
 }
 
+void read_landmarks(World& world, const Path& path, const toml::node& node) {
+    std::vector<Point2>& marks = world.landmarks.at;
+    for (const toml::node& entry : list_of(path, node, "landmarks.at", "[[x, y], ...]")) {
+        const Message name = message(HITOS_TEXT("Errors", "landmark %1"), marks.size());
+        marks.push_back(read_point(path, entry, name));
+    }
+}
+
 void read_doors(World& world, const Path& path, const toml::node& node) {
     for (const toml::node& entry : list_of(path, node, "doors", "[[[x, y], [x, y]], ...]")) {
         const int number = static_cast<int>(world.doors.size()) + 1;

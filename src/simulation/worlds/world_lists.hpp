@@ -18,6 +18,7 @@ Point2 read_point(const std::filesystem::path& path, const toml::node& node, con
 void read_commands(World& world, const std::filesystem::path& path, const toml::node& node);
 void read_events(World& world, const std::filesystem::path& path, const toml::node& node);
 void read_people(World& world, const std::filesystem::path& path, const toml::node& node);
+void read_landmarks(World& world, const std::filesystem::path& path, const toml::node& node);
 void read_doors(World& world, const std::filesystem::path& path, const toml::node& node);
 
 /// Throws FormatError for events of doors that are not there, with the line.

@@ -141,8 +141,9 @@ class Associator {
         return !known.opposite(seen) && known.gap(seen) <= params_.segment_margin_m + unsure;
     }
 
-    /// Calls body(landmark, Likelihood) for every landmark above p0 or inside the gate. What
-    /// watches sees all the others too.
+    /// Calls body(landmark, Likelihood) for every landmark above p0 or inside the gate; of an
+    /// observation that says which landmark it is, for that one, wherever it lies. What watches
+    /// sees all the others too.
     template <Sensor S, class Body, class Watch = Unwatched>
     void for_each_candidate(const typename S::Columns& landmarks, const Pose& pose,
                             const PreparedObservation& observed, const Body& body,
@@ -214,12 +215,15 @@ void Associator::for_each_candidate(const typename S::Columns& landmarks, const 
                                     const Watch& watch) const {
     const LanePose from = lane_of(pose);
     const LaneObservation seen = lane_of(observed.seen.measured);
+    const std::int32_t identity = observed.seen.measured.identity;
     const auto compare = [&](std::uint32_t i, bool far) {
-        const bool elsewhere = !far && !beside<S>(landmarks, i, pose, observed.seen.reach);
+        const bool known = identity != kNameless;
+        const bool elsewhere =
+            !far && !known && !beside<S>(landmarks, i, pose, observed.seen.reach);
         if (!Watch::kWatches && elsewhere) return;
         const LaneInnovation innovation = S::innovation(landmarks.lane(i), from, seen);
         const Likelihood close = likelihood_of(innovation);
-        const bool no = far || elsewhere || outside(close);
+        const bool no = far || elsewhere || (!known && outside(close));
         if constexpr (Watch::kWatches) {
             const Standing standing = far         ? Standing::far
                                       : elsewhere ? Standing::elsewhere
@@ -229,6 +233,10 @@ void Associator::for_each_candidate(const typename S::Columns& landmarks, const 
         }
         if (!no) body(i, close);
     };
+    if (identity != kNameless) {
+        if (const auto landmark = landmarks.identified(identity)) compare(*landmark, false);
+        return;
+    }
     if constexpr (Watch::kWatches) {
         std::uint32_t next = 0;
         landmarks.each_near(pose, observed, [&](std::uint32_t near) {
@@ -300,7 +308,12 @@ Decision Associator::decide(const typename S::Columns& landmarks, const Pose& po
             offer(candidates, landmark, close);
         },
         watch);
-    if (candidates.none() || !rule_.ambiguous(candidates, log_p0_)) return resolve(candidates);
+    if (candidates.none() || !rule_.ambiguous(candidates, log_p0_)) {
+        Decision decision = resolve(candidates);
+        const bool known = observed.seen.measured.identity != kNameless;
+        if (known && !candidates.none()) decision.reason = Association::Reason::known;
+        return decision;
+    }
     if (params_.segments && S::kKind == FeatureKind::line &&
         joins<S>(landmarks, pose, observed, candidates)) {
         return {Association::Outcome::matched, Association::Reason::stretches, candidates.best(),

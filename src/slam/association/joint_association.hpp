@@ -25,10 +25,12 @@ class JointAssociation {
         constexpr std::uint64_t kKind = static_cast<std::uint64_t>(LandmarkKinds::place<S>())
                                         << 32U;
         search_.add_observation();
+        const bool known = observed.seen.measured.identity != kNameless;  // then nothing speaks
+                                                                          // against it
         associator.for_each_candidate<S>(
             landmarks, pose, observed,
             [&](std::uint32_t landmark, const Likelihood& close) {
-                search_.add({kKind | landmark, close.mahalanobis_squared,
+                search_.add({kKind | landmark, known ? 0.0 : close.mahalanobis_squared,
                              static_cast<std::uint32_t>(logs_.size())});
                 logs_.push_back(close.log_likelihood);
             },

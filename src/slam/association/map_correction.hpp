@@ -38,6 +38,7 @@ void keep(typename S::Columns& landmarks, std::size_t i, const KeptLandmark<S>& 
 /// Whether two landmarks whose errors are independent are one.
 template <Sensor S>
 bool same(const KeptLandmark<S>& a, const KeptLandmark<S>& b) {
+    if (!may_be_one(a.record.identity, b.record.identity)) return false;
     const Matrix2 together =
         a.estimate.covariance +
         S::difference(a.estimate.mean, b.estimate.mean).turned(b.estimate.covariance);
@@ -73,6 +74,7 @@ void fuse(KeptLandmark<S>& kept, const KeptLandmark<S>& other) {
     kept.record.last_seen = std::max(kept.record.last_seen, other.record.last_seen);
     kept.record.first_seen = std::min(kept.record.first_seen, other.record.first_seen);
     kept.record.existence = std::max(kept.record.existence, other.record.existence);
+    kept.record.identity = std::max(kept.record.identity, other.record.identity);
 }
 
 /// Where the landmarks of a map are once some are gone: the new index of each.

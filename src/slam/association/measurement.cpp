@@ -2,13 +2,16 @@
 
 namespace hitos {
 
-void measure(const Observation& observation, const ObservationParams& params, Measurements& out) {
+void measure(const Observation& observation, const ObservationParams& params, Measurements& out,
+             bool known) {
     Matrix2 fixed;
     fixed << params.var_rho_m2, 0.0, 0.0, params.var_theta_rad2;
     out.clear();
     for_each_kind([&]<class S>() {
         for (std::size_t i = 0; i < S::count(observation); ++i) {
-            out.add<S>(S::observed(observation, i, fixed));
+            Measurement measured = S::observed(observation, i, fixed);
+            if (!known) measured.identity = kNameless;
+            out.add<S>(measured);
         }
     });
 }

@@ -15,11 +15,12 @@ inline double chi_square_gate(double probability) {
 }
 
 /// Measurements of all features of an observation, kind by kind and in its order; R is the
-/// feature's own covariance where the observation has it, else diag(var_rho, var_theta). Reused
-/// from scan to scan.
+/// feature's own covariance where the observation has it, else diag(var_rho, var_theta). Without
+/// `known` identities are forgotten. Reused from scan to scan.
 using Measurements = KindRow<Measurement>;
 
-void measure(const Observation& observation, const ObservationParams& params, Measurements& out);
+void measure(const Observation& observation, const ObservationParams& params, Measurements& out,
+             bool known = true);
 
 /// Between which points each feature was seen, in the same order; `sided`: and from which side.
 void note_reaches(const Observation& observation, bool sided, KindRow<SeenReach>& out);

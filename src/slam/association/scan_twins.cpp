@@ -18,6 +18,11 @@ void ScanTwins::find(const Measurements& seen, const KindRow<SeenReach>* reaches
         for (std::size_t later = 1; later < row.size(); ++later) {
             const EKF<S> ekf(row[later].r);
             for (std::size_t earlier = 0; earlier < later; ++earlier) {
+                if (row[later].identity != kNameless) {
+                    if (row[later].identity != row[earlier].identity) continue;
+                    pairs_.emplace_back(seen.first<S>() + earlier, seen.first<S>() + later);
+                    continue;
+                }
                 const auto known = EKF<S>(row[earlier].r).first({}, row[earlier].z).mean;
                 if (reaches != nullptr) {
                     const Extent first = S::placed(reaches->of<S>()[earlier], {}, known);

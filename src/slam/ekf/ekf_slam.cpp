@@ -15,7 +15,7 @@ EkfSlam::EkfSlam(const FilterParams& params)
 
 void EkfSlam::step(const SlamInput& input) {
     predict(motion_increment(input));
-    measure(input.observation, params_.observation, measurements_);
+    measure(input.observation, params_.observation, measurements_, params_.association.known);
     if (registered_) note_reaches(input.observation, false, reaches_);
     associations_.clear();
     rows_.clear();
@@ -76,6 +76,7 @@ void EkfSlam::add_new() {
                           S::inverse_pose_jacobian(pose, seen.z), by_z * seen.r * by_z.transpose());
         association.landmark = static_cast<std::int32_t>(marks<S>().size());
         marks<S>().push_back({at});
+        marks<S>().back().record.identity = seen.identity;
     }
 }
 
@@ -170,7 +171,8 @@ LandmarkMap EkfSlam::best_map() const {
             const Extent kept = extent<S>(mark);
             map.push_back({S::from_state(state_.landmark(mark.at)),
                            state_.landmark_covariance(mark.at), mark.record.observations, kept.low,
-                           kept.high, mark.record.first_seen, mark.record.last_seen});
+                           kept.high, mark.record.first_seen, mark.record.last_seen,
+                           mark.record.identity});
         }
     });
     return map;

@@ -60,7 +60,8 @@ double EkfSlam::compare(const Measurement& measured, Recorded recorded, const Bo
             measured.r;
         const Likelihood close = compared(seen.nu, s);
         if (recorded != nullptr) {
-            const bool inside = close.mahalanobis_squared <= rule_.gate();
+            const bool inside = measured.identity != kNameless ||
+                                close.mahalanobis_squared <= rule_.gate();
             recorded->back().compared.push_back({static_cast<std::int32_t>(i), seen.nu,
                                                  close.mahalanobis_squared, close.log_likelihood,
                                                  inside ? Standing::candidate : Standing::outside});
@@ -69,8 +70,15 @@ double EkfSlam::compare(const Measurement& measured, Recorded recorded, const Bo
         body(static_cast<std::uint32_t>(i),
              JointState::Row{at, seen.nu, seen.by_pose, seen.by_landmark, measured.r}, close);
     };
+    if (recorded != nullptr) recorded->emplace_back();
+    if (measured.identity != kNameless) {
+        const auto known = std::ranges::find(marks<S>(), measured.identity,
+                                             [](const Mark& mark) { return mark.record.identity; });
+        if (known == marks<S>().end()) return std::numeric_limits<double>::max();
+        compare_with(static_cast<std::size_t>(known - marks<S>().begin()));
+        return nearest;
+    }
     if (recorded != nullptr) {
-        recorded->emplace_back();
         for (std::size_t i = 0; i < marks<S>().size(); ++i) compare_with(i);
         return nearest;
     }
@@ -86,19 +94,20 @@ double EkfSlam::compare(const Measurement& measured, Recorded recorded, const Bo
 
 template <Sensor S>
 void EkfSlam::associate(const Measurement& measured, std::uint32_t observed, Recorded recorded) {
+    const bool known = measured.identity != kNameless;  // then no gate is asked
     BestTwo inside;  // of the landmarks whose gate it lies in, by distance
     JointState::Row row;
-    const double nearest = compare<S>(
-        measured, recorded,
-        [&](std::uint32_t i, const JointState::Row& compared, const Likelihood& close) {
-            const double distance = close.mahalanobis_squared;
-            if (distance <= rule_.gate() && inside.offer(i, -distance, close.log_likelihood)) {
-                row = compared;
-            }
-        });
+    const double nearest =
+        compare<S>(measured, recorded,
+                   [&](std::uint32_t i, const JointState::Row& compared, const Likelihood& close) {
+                       const double distance = close.mahalanobis_squared;
+                       const bool fits = known || distance <= rule_.gate();
+                       if (fits && inside.offer(i, -distance, close.log_likelihood)) row = compared;
+                   });
     Association association{S::kKind, observed};
     if (!inside.none() && !rule_.ambiguous(inside)) {
         match(association, inside.best(), row, inside.best_log());
+        if (known) association.reason = Association::Reason::known;
     } else if (!inside.none()) {
         association.reason = Association::Reason::ambiguous;
     } else if (is_new<S>(nearest)) {
@@ -132,6 +141,10 @@ void EkfSlam::associate_together(Recorded recorded) {
         std::uint32_t observed = 0;
         for (const Measurement& measured : measurements_.of<S>()) {
             search_.add_observation();
+            if (measured.identity != kNameless) {
+                associate<S>(measured, observed++, recorded);
+                continue;
+            }
             const double nearest = compare<S>(
                 measured, recorded,
                 [&](std::uint32_t i, const JointState::Row& row, const Likelihood& close) {

@@ -79,6 +79,7 @@ NewPlaces EkfSlam::merge() {
 
 template <Sensor S>
 bool EkfSlam::same(const Mark& a, const Mark& b) const {
+    if (!may_be_one(a.record.identity, b.record.identity)) return false;
     const auto first = S::from_state(state_.landmark(a.at));
     const auto second = S::from_state(state_.landmark(b.at));
     const double sign = S::difference(first, second).sign;
@@ -100,6 +101,7 @@ void EkfSlam::take_in(Mark& mark, const Mark& other) {
     mark.record.observations += other.record.observations;
     mark.record.last_seen = std::max(mark.record.last_seen, other.record.last_seen);
     mark.record.first_seen = std::min(mark.record.first_seen, other.record.first_seen);
+    mark.record.identity = std::max(mark.record.identity, other.record.identity);
     normalize();
 }
 

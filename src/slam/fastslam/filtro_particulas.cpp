@@ -112,15 +112,17 @@ void FiltroParticulas::propose(const SlamInput& input) {
 }
 
 void FiltroParticulas::observe(const Observation& observation) {
-    measure(observation, params_.observation, measurements_);
+    measure(observation, params_.observation, measurements_, params_.association.known);
     const bool segments = params_.association.segments;
     if (heeds_extents_) note_reaches(observation, segments, reaches_);
     twins_.find(measurements_, segments ? &reaches_ : nullptr);
     seen_.clear();
+    identified_ = false;
     for_each_kind([&]<class S>() {
         std::size_t i = 0;
         for (const Measurement& measured : measurements_.of<S>()) {
             SeenFeature seen = associator_.seen(measured);
+            identified_ = identified_ || measured.identity != kNameless;
             if (heeds_extents_) seen.reach = reaches_.of<S>()[i];
             seen_.add<S>(seen);
             ++i;

@@ -191,6 +191,7 @@ class FiltroParticulas final : public SlamFilter {
     std::unique_ptr<ResamplingMethod> resampling_;
     bool registered_;  // the motion model follows registration, whose corrections move all
     bool heeds_extents_;
+    bool identified_ = false;  // whether a feature of the scan says which landmark it is of
     bool one_by_one_;  // whether every observation is decided alone, by nothing but its candidates
     bool reviews_;     // whether landmarks may go
     ParticleLoop for_each_;

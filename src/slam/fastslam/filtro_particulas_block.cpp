@@ -28,7 +28,7 @@ FiltroParticulas::BlockMemory& FiltroParticulas::block_memory() {
 
 void FiltroParticulas::step_block(const Block& block, AssociationRecord* record) {
     BlockMemory& memory = block_memory();
-    if (record == nullptr && one_by_one_) {
+    if (record == nullptr && one_by_one_ && !identified_) {
         associate_block(block, memory);
     } else {
         for (std::size_t i = block.begin; i < block.end; ++i) {
@@ -283,7 +283,8 @@ bool FiltroParticulas::create(typename S::Columns& landmarks, const Pose& pose,
     landmarks.set(index, first);
     if (heeds_extents_) landmarks.set_extent(index, S::placed(seen.reach, pose, first.mean));
     const auto scan = static_cast<std::uint32_t>(steps_);
-    landmarks.record(index) = {1, scan, scan, static_cast<float>(params_.landmarks.hit)};
+    landmarks.record(index) = {1, scan, scan, static_cast<float>(params_.landmarks.hit),
+                               seen.measured.identity};
     decision.landmark = static_cast<std::uint32_t>(index);
     return true;
 }

@@ -241,7 +241,8 @@ LandmarkMap FiltroParticulas::map(std::size_t hypothesis) const {
             if (!confirmed(record)) continue;
             const Extent extent = heeds_extents_ ? landmarks.extent(i) : Extent{};
             map.push_back({landmarks.mean(i), landmarks.covariance(i), record.observations,
-                           extent.low, extent.high, record.first_seen, record.last_seen});
+                           extent.low, extent.high, record.first_seen, record.last_seen,
+                           record.identity});
         }
     });
     return map;

@@ -37,6 +37,7 @@ Extent seen_along(const LandmarkPlace& line, const Pose& pose, const FoundFeatur
 
 GraphAssociation::GraphAssociation(const FilterParams& params)
     : observation_(params.observation),
+      known_association_(params.association.known),
       rule_(params.association),
       log_ratio_(std::log(params.association.ambiguity_ratio)),
       twins_(params.association, false),
@@ -45,7 +46,8 @@ GraphAssociation::GraphAssociation(const FilterParams& params)
 void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& window,
                             const BelievedPose& believed, const Observation& observation,
                             std::vector<RecordedFeature>* recorded) {
-    measure(observation, observation_, measurements_);
+    measure(observation, observation_, measurements_, known_association_);
+    closes_ = false;
     found_.clear();
     bridged_.clear();
     for_each_kind([&]<class S>() {
@@ -69,6 +71,19 @@ void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& windo
     find_twins();
 }
 
+std::span<const std::uint32_t> GraphAssociation::compared(const LandmarkGraph& graph,
+                                                          const GraphWindow& window,
+                                                          const FoundFeature& feature) {
+    const std::int32_t identity = feature.measured.identity;
+    if (identity == kNameless) return window.reachable();
+    known_.clear();
+    const auto landmark = std::ranges::find(graph.landmarks(), identity, &GraphLandmark::identity);
+    if (landmark == graph.landmarks().end()) return known_;
+    known_.push_back(static_cast<std::uint32_t>(landmark - graph.landmarks().begin()));
+    closes_ = closes_ || !std::ranges::binary_search(window.reachable(), known_.front());
+    return known_;
+}
+
 template <Sensor S>
 void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& window,
                             const BelievedPose& believed, FoundFeature& feature,
@@ -76,7 +91,8 @@ void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& windo
     BestTwo inside;  // of the landmarks whose gate it lies in, by distance
     inside_.clear();
     double nearest = std::numeric_limits<double>::infinity();
-    for (const std::uint32_t i : window.reachable()) {
+    const bool known = feature.measured.identity != kNameless;  // then nothing speaks against it
+    for (const std::uint32_t i : compared(graph, window, feature)) {
         const GraphLandmark& landmark = graph.landmarks()[i];
         if (landmark.kind != S::kKind) continue;
         double shared_m = 0.0;
@@ -90,7 +106,7 @@ void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& windo
             if (shared_m < -kReach) continue;
         }
         const SightingError error = sighting_error(feature.measured.z, believed.pose, landmark);
-        if (std::abs(error.value(0)) > kFarthest) continue;
+        if (!known && std::abs(error.value(0)) > kFarthest) continue;
         const Matrix23 across = window.cross_covariance(i) * believed.by_key.transpose();
         const Matrix2 both = error.by_landmark * across * error.by_pose.transpose();
         const Matrix2 s = error.by_pose * believed.covariance * error.by_pose.transpose() +
@@ -101,13 +117,13 @@ void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& windo
         // Rounding can cost S its positivity where variances are next to nothing.
         if (!(s.determinant() > 0.0) || !(close.mahalanobis_squared >= 0.0)) continue;
         if (recorded != nullptr) {
-            const bool fits = close.mahalanobis_squared <= rule_.gate();
+            const bool fits = known || close.mahalanobis_squared <= rule_.gate();
             recorded->back().compared.push_back({static_cast<std::int32_t>(i), -error.value,
                                                  close.mahalanobis_squared, close.log_likelihood,
                                                  fits ? Standing::candidate : Standing::outside});
         }
         nearest = std::min(nearest, close.mahalanobis_squared);
-        if (close.mahalanobis_squared > rule_.gate()) continue;
+        if (!known && close.mahalanobis_squared > rule_.gate()) continue;
         inside.offer(i, -close.mahalanobis_squared, close.log_likelihood);
         inside_.push_back({i, close.log_likelihood, shared_m, seen_m});
     }
@@ -118,7 +134,7 @@ void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& windo
         }
     } else if (!rule_.ambiguous(inside)) {
         feature.outcome = Association::Outcome::matched;
-        feature.reason = Association::Reason::fits;
+        feature.reason = known ? Association::Reason::known : Association::Reason::fits;
         feature.landmark = inside.best();
         feature.log_likelihood = inside.best_log();
     } else {

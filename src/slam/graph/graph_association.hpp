@@ -1,6 +1,7 @@
 // Which landmark of the graph an observed feature belongs to.
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,8 @@ class GraphAssociation {
     /// Pairs of lines that find() could not choose between, since what it saw covers a part of
     /// both.
     const std::vector<std::pair<std::uint32_t, std::uint32_t>>& bridged() const { return bridged_; }
+    /// Whether a feature says itself that it is a landmark which the window does not reach.
+    bool closes() const { return closes_; }
     /// Squared Mahalanobis distance of the gate.
     double gate() const { return rule_.gate(); }
     /// And of that from which on a feature is new.
@@ -64,10 +67,15 @@ class GraphAssociation {
     template <Sensor S>
     void find(const LandmarkGraph& graph, const GraphWindow& window, const BelievedPose& believed,
               FoundFeature& feature, std::vector<RecordedFeature>* recorded);
+    /// The landmarks that a feature is compared with: those that can be reached, or the one that it
+    /// says itself.
+    std::span<const std::uint32_t> compared(const LandmarkGraph& graph, const GraphWindow& window,
+                                            const FoundFeature& feature);
     void note_bridges(const LandmarkGraph& graph, const BestTwo& inside);
     void find_twins();
 
     ObservationParams observation_;
+    bool known_association_;
     AssociationRule rule_;
     double log_ratio_;
     ScanTwins twins_;
@@ -76,6 +84,8 @@ class GraphAssociation {
     Measurements measurements_;
     std::vector<FoundFeature> found_;
     std::vector<Candidate> inside_;
+    std::vector<std::uint32_t> known_;  // the landmark that a feature says, or none
+    bool closes_ = false;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> bridged_;
 };
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hitos/registration/pose_graph_solver.hpp"
 #include "models/landmark_kinds.hpp"
 
 namespace hitos {
@@ -75,6 +76,7 @@ struct GraphLandmark {
     LandmarkPlace place;
     Extent extent;                         ///< of a line
     std::vector<std::uint32_t> sightings;  ///< in the order of their keys
+    std::int32_t identity = kNameless;
 };
 
 /// A feature of a key's scan, taken to a landmark.
@@ -84,6 +86,14 @@ struct Sighting {
     Vector2 z;
     Matrix2 information;  ///< R^-1
     Point2 low, high;     ///< ends of what was seen of a line, in the robot's frame
+    bool known = false;   ///< it said itself which landmark it is of: no outlier
+
+    double weight(double mahalanobis_squared) const {
+        return known ? 1.0 : robust_weight(mahalanobis_squared);
+    }
+    double loss(double mahalanobis_squared) const {
+        return known ? mahalanobis_squared : robust_loss(mahalanobis_squared);
+    }
 };
 
 /// The error of a sighting, h - z, with its derivatives by the pose and by the landmark's local

@@ -88,6 +88,7 @@ void GraphSlam::add_key(const RegisteredStep& registered, AssociationRecord* rec
         registered.edges.last(static_cast<std::size_t>(behind - registered.edges.rbegin())));
     since_key_ = {};
     add_sightings();
+    if (association_.closes()) GraphSolver().solve(graph_);
     window_.solve(graph_);
     merge_bridged(record);
     if constexpr (kValidates) check(graph_);
@@ -122,15 +123,16 @@ void GraphSlam::add_sightings() {
             } else {
                 for_kind(feature.kind, [&]<class S>() {
                     landmark = static_cast<std::int32_t>(graph_.add_landmark(
-                        S::kKind,
-                        LocalCoordinates<S>::place(S::inverse(pose_, feature.measured.z))));
+                        S::kKind, LocalCoordinates<S>::place(S::inverse(pose_, feature.measured.z)),
+                        feature.measured.identity));
                 });
             }
         }
         landmarks_of_.push_back(landmark);
         if (landmark < 0) continue;
         graph_.add({key, static_cast<std::uint32_t>(landmark), feature.measured.z,
-                    feature.measured.r.inverse(), feature.low, feature.high});
+                    feature.measured.r.inverse(), feature.low, feature.high,
+                    feature.reason == Association::Reason::known});
     }
 }
 
@@ -321,8 +323,8 @@ LandmarkMap GraphSlam::best_map() const {
             };
             map.push_back({estimate.mean, estimate.covariance,
                            static_cast<int>(landmark.sightings.size()), extent.low, extent.high,
-                           scan_of(landmark.sightings.front()),
-                           scan_of(landmark.sightings.back())});
+                           scan_of(landmark.sightings.front()), scan_of(landmark.sightings.back()),
+                           landmark.identity});
         }
     });
     map_ = map;

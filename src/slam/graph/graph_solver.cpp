@@ -50,8 +50,8 @@ void GraphSolver::add(const PoseEdge& edge, const LandmarkGraph& graph) {
 void GraphSolver::add(const Sighting& sighting, const LandmarkGraph& graph) {
     const SightingError error = graph.error_of(sighting);
     const double d2 = error.value.dot(sighting.information * error.value);
-    objective_ += robust_loss(d2);
-    const Matrix2 weight = robust_weight(d2) * sighting.information;
+    objective_ += sighting.loss(d2);
+    const Matrix2 weight = sighting.weight(d2) * sighting.information;
     const std::size_t landmark = variable_of_landmark(sighting.landmark);
     if (sighting.key == 0) {
         equations_.add(landmark, error.by_landmark, weight, error.value);

@@ -88,8 +88,8 @@ void GraphWindow::add(const PoseEdge& edge, const LandmarkGraph& graph) {
 void GraphWindow::add(const Sighting& sighting, const LandmarkGraph& graph) {
     const SightingError error = graph.error_of(sighting);
     const double d2 = error.value.dot(sighting.information * error.value);
-    objective_ += robust_loss(d2);
-    const Matrix2 weight = robust_weight(d2) * sighting.information;
+    objective_ += sighting.loss(d2);
+    const Matrix2 weight = sighting.weight(d2) * sighting.information;
     const Eigen::Index landmark = at_[sighting.landmark];
     const Matrix2 landmark_w = error.by_landmark.transpose() * weight;
     add_outer(h_, landmark, landmark_w, landmark, error.by_landmark);

@@ -27,8 +27,9 @@ void LandmarkGraph::replace_edges(std::span<const PoseEdge> edges) {
     add_edges(edges);
 }
 
-std::uint32_t LandmarkGraph::add_landmark(FeatureKind kind, const LandmarkPlace& place) {
-    landmarks_.push_back({kind, place, {}, {}});
+std::uint32_t LandmarkGraph::add_landmark(FeatureKind kind, const LandmarkPlace& place,
+                                          std::int32_t identity) {
+    landmarks_.push_back({kind, place, {}, {}, identity});
     return static_cast<std::uint32_t>(landmarks_.size() - 1);
 }
 
@@ -55,9 +56,15 @@ std::vector<std::uint32_t> LandmarkGraph::merge(std::span<const std::uint32_t> l
     for (std::size_t i = 0; i < landmarks_.size(); ++i) {
         if (leader[i] == i) {
             now[i] = static_cast<std::uint32_t>(kept.size());
-            kept.push_back({landmarks_[i].kind, landmarks_[i].place, landmarks_[i].extent, {}});
+            kept.push_back({landmarks_[i].kind,
+                            landmarks_[i].place,
+                            landmarks_[i].extent,
+                            {},
+                            landmarks_[i].identity});
         } else {
             now[i] = now[leader[i]];
+            std::int32_t& identity = kept[now[i]].identity;
+            identity = std::max(identity, landmarks_[i].identity);
         }
     }
     landmarks_ = std::move(kept);
@@ -94,10 +101,10 @@ void LandmarkGraph::remeasure(std::size_t index) {
 Matrix2 LandmarkGraph::covariance_given_poses(std::size_t landmark) const {
     Matrix2 information = Matrix2::Zero();
     for (const std::uint32_t i : landmarks_[landmark].sightings) {
-        const SightingError error = error_of(sightings_[i]);
-        information += robust_weight(error.value.dot(sightings_[i].information * error.value)) *
-                       error.by_landmark.transpose() * sightings_[i].information *
-                       error.by_landmark;
+        const Sighting& sighting = sightings_[i];
+        const SightingError error = error_of(sighting);
+        information += sighting.weight(error.value.dot(sighting.information * error.value)) *
+                       error.by_landmark.transpose() * sighting.information * error.by_landmark;
     }
     return information.inverse();
 }

@@ -31,7 +31,8 @@ class LandmarkGraph {
     void add_edges(std::span<const PoseEdge> edges);
     void replace_edges(std::span<const PoseEdge> edges);
     /// A landmark without sightings. Returns its index.
-    std::uint32_t add_landmark(FeatureKind kind, const LandmarkPlace& place);
+    std::uint32_t add_landmark(FeatureKind kind, const LandmarkPlace& place,
+                               std::int32_t identity = kNameless);
     void add(const Sighting& sighting);
     /// Makes one landmark of each group: `leader[i]` is the landmark, not after i, that i becomes
     /// part of, or i itself. Their sightings are pooled. Returns what each landmark's index has

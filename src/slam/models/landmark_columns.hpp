@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -206,6 +207,14 @@ class LandmarkColumns : public LandmarkQuantities<Extra> {
         std::ranges::sort(near);
         near.erase(std::unique(near.begin(), near.end()), near.end());
         for (const std::uint32_t i : near) body(i);
+    }
+
+    /// The landmark of that identity; nothing where there is none.
+    std::optional<std::uint32_t> identified(std::int32_t identity) const {
+        for (std::uint32_t i = 0; i < size(); ++i) {
+            if (record(i).identity == identity) return i;
+        }
+        return std::nullopt;
     }
 
     /// Adds a landmark without values; returns its index.

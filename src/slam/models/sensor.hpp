@@ -20,11 +20,20 @@ using Matrix2 = Eigen::Matrix2d;
 using Matrix23 = Eigen::Matrix<double, 2, 3>;
 using Matrix3 = Eigen::Matrix3d;
 
+/// What a landmark, or an observation, has for an identity that is not known.
+inline constexpr std::int32_t kNameless = LandmarkSighting::kNameless;
+
+/// Whether both may be one by what is known of their identities.
+inline bool may_be_one(std::int32_t a, std::int32_t b) {
+    return a == b || a == kNameless || b == kNameless;
+}
+
 /// An observed feature: z and its covariance R, (rho, theta) [m, rad] of a line, (range, bearing)
 /// [m, rad] of a corner, in the robot frame.
 struct Measurement {
     Vector2 z;
     Matrix2 r;
+    std::int32_t identity = kNameless;  ///< the landmark that it is of, where that is known
 };
 
 /// What an observation says against the prediction: z - h, with the angle wrapped, and
@@ -96,6 +105,7 @@ struct LandmarkRecord {
     std::uint32_t last_seen = 0;   ///< scan that saw it last
     std::uint32_t first_seen = 0;  ///< scan that saw it first
     float existence = 0.0F;        ///< log-odds, where landmarks may vanish
+    std::int32_t identity = kNameless;
 };
 
 /// One landmark minus another, angles wrapped, once the other has been brought to the side of the

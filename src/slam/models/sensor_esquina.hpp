@@ -51,9 +51,9 @@ struct SensorEsquina {
     static Measurement observed(const Observation& observation, std::size_t i,
                                 const Matrix2& fixed) {
         const Esquina& corner = observation.corners[i];
-        Measurement measured{measurement(corner), fixed};
+        Measurement measured{measurement(corner), fixed, observation.identity(i)};
         // The bearing of a corner right at the robot means nothing.
-        if (!observation.corner_covariances.empty() && measured.z(0) >= kNearest) {
+        if (i < observation.corner_covariances.size() && measured.z(0) >= kNearest) {
             const Matrix2 j = jacobian({}, corner);  // of (range, bearing) by (x, y)
             measured.r = j * observation.corner_covariances[i] * j.transpose();
         }

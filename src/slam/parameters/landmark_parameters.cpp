@@ -28,6 +28,12 @@ FilterTable bounded_association_entries() {
                  "Whether a landmark takes only the likeliest of the observations of a scan that "
                  "claim it, the others being kept out of the map; jcbb always does so.")},
             off_on()),
+        choice<&Filter::association, &AssociationParams::known>(
+            {"association.known", HITOS_TEXT("ParameterLabel", "Known identities"),
+             HITOS_TEXT("Parameter",
+                        "Whether what a sensor says of which landmark it sees is believed, "
+                        "wherever that landmark lies; off associates as if it said nothing.")},
+            off_on()),
         choice<&Filter::association, &AssociationParams::hypotheses>(
             {"association.hypotheses", HITOS_TEXT("ParameterLabel", "Several hypotheses"),
              HITOS_TEXT("Parameter",

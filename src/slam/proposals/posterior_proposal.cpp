@@ -73,7 +73,7 @@ class PosteriorProposal final : public Proposal {
     void begin(const SlamInput& input, bool first) override {
         increment_ = motion_increment(input);
         first_ = first;
-        measure(input.observation, params_.observation, measurements_);
+        measure(input.observation, params_.observation, measurements_, params_.association.known);
         note_reaches(input.observation, params_.association.segments, reaches_);
     }
 
@@ -115,21 +115,26 @@ class PosteriorProposal final : public Proposal {
         const double unsure = 2.0 * std::sqrt(p(0, 0) + p(1, 1));
         BestTwo candidates;
         Found found;
-        landmarks.each_near(pose, prepared, [&](std::uint32_t i) {
-            if (!associator_.beside<S>(landmarks, i, pose, reach, unsure)) return;
+        const bool known = measured.identity != kNameless;
+        const auto compare = [&](std::uint32_t i) {
+            if (!known && !associator_.beside<S>(landmarks, i, pose, reach, unsure)) return;
             const JointInnovation seen = S::joint_innovation(measured.z, pose, landmarks.mean(i));
             const Matrix2 rest =
                 seen.by_landmark * landmarks.covariance(i) * seen.by_landmark.transpose() +
                 measured.r;
             const Likelihood close =
                 likelihood_of(seen.nu, seen.by_pose * p * seen.by_pose.transpose() + rest);
-            if (by_likelihood ? !(close.log_likelihood > log_p0_)
-                              : !(close.mahalanobis_squared <= rule_.gate())) {
-                return;
-            }
+            const bool outside = by_likelihood ? !(close.log_likelihood > log_p0_)
+                                               : !(close.mahalanobis_squared <= rule_.gate());
+            if (outside && !known) return;
             const double score = by_likelihood ? close.log_likelihood : -close.mahalanobis_squared;
             if (candidates.offer(i, score, close.log_likelihood)) found = {seen, rest};
-        });
+        };
+        if (known) {
+            if (const auto landmark = landmarks.identified(measured.identity)) compare(*landmark);
+        } else {
+            landmarks.each_near(pose, prepared, compare);
+        }
         if (candidates.none() || rule_.ambiguous(candidates, log_p0_)) return;
         posterior.learn(found.innovation.nu, found.innovation.by_pose, found.rest);
     }

@@ -29,6 +29,13 @@ void require_sound(const Scan& scan) {
                                     return std::isfinite(point.x) && std::isfinite(point.y);
                                 }),
             "a scan's points are finite");
+    require(std::ranges::all_of(scan.landmarks,
+                                [](const LandmarkSighting& seen) {
+                                    return std::isfinite(seen.bearing_rad) &&
+                                           std::isfinite(seen.range_m) && seen.range_m >= 0.0 &&
+                                           seen.identity >= LandmarkSighting::kNameless;
+                                }),
+            "a scan's landmarks are somewhere");
     require(scan.rays.empty() || scan.rays.size() == scan.points.size(), "every point has its ray");
     require(scan.points.empty() == scan.run_starts.empty(), "points belong to runs");
     if (scan.run_starts.empty()) return;

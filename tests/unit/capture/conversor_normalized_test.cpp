@@ -35,6 +35,45 @@ TEST(ConversorNormalized, ReadsPointsAndVelocities) {
     EXPECT_EQ(log.odometry[2].twist, (Twist{0.5, 0.125, -0.25}));
 }
 
+TEST(ConversorNormalized, ReadsLandmarksThatASensorTellsByThemselves) {
+    const Log log = normalized(
+        "ODOM 1.0 0 0\n"
+        "LANDMARKS 1.5 3 7 2.5 -0.5 -1 3 0.25 0 60 1\n"
+        "LANDMARKS 2 0\n",
+        {50.0});
+    EXPECT_EQ(log.report.skipped, 0U);
+    ASSERT_EQ(log.scans.size(), 2U);
+    EXPECT_THAT(log.scans[0].landmarks,
+                ElementsAre(LandmarkSighting{2.5, -0.5, 7}, LandmarkSighting{3.0, 0.25, -1}));
+    EXPECT_TRUE(log.scans[0].points.empty());
+    EXPECT_FALSE(log.scans[0].empty());
+    EXPECT_TRUE(log.scans[1].empty());
+}
+
+TEST(ConversorNormalized, LandmarksAreSeenFromWhereTheirSensorSits) {
+    ReadOptions options;
+    options.laser_pose = "0.5,0,90";
+    const Log log = test::read_text("normalized", "LANDMARKS 1 1 4 1 0\n", options);
+    const LandmarkSighting& seen = log.scans.at(0).landmarks.at(0);
+    EXPECT_EQ(seen.identity, 4);
+    EXPECT_NEAR(distance(seen.point(), {0.5, 1.0}), 0.0, 1e-12);
+}
+
+TEST(ConversorNormalized, DamagedLandmarks) {
+    const Log log = normalized(
+        "LANDMARKS 1 1 3 1 0\n"
+        "LANDMARKS 2 1 -2 1 0\n"
+        "LANDMARKS 2 1 2147483648 1 0\n"
+        "LANDMARKS 2 1 a 1 0\n"
+        "LANDMARKS 2 1 3 -1 0\n"
+        "LANDMARKS 2 1 3 nan 0\n"
+        "LANDMARKS 2 1 3 1\n"
+        "LANDMARKS 2 1 3 1 0 0\n"
+        "LANDMARKS 2 -1\n");
+    EXPECT_EQ(log.scans.size(), 1U);
+    EXPECT_EQ(log.report.skipped, 8U);
+}
+
 TEST(ConversorNormalized, MaxRangeOptionCutsPoints) {
     const Log log = normalized("LASER 1 3 1 0 30 40 2 0\n", {50.0});
     EXPECT_THAT(log.scans.at(0).points, ElementsAre(Point2{1, 0}, Point2{2, 0}));

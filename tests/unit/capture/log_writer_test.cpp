@@ -131,6 +131,29 @@ TEST(LogWriter, MountedLaserAndUnusualFan) {
     }
 }
 
+TEST(LogWriter, LandmarksStandInTheNormalizedFormatAndAreRefusedByOthers) {
+    const TempDir folder;
+    Tour tour = tour_with(kHalf, 3);
+    for (Scan& scan : tour.scans) {
+        const double time_s = scan.time_s;
+        scan = {};
+        scan.time_s = time_s;
+        scan.landmarks = {{1.0 / 3.0, -0.3, 4}, {2.0 * time_s, 0.1}};
+    }
+    for (const std::string& format : kAll) {
+        SCOPED_TRACE(format);
+        if (format != "normalized") {
+            EXPECT_THROW(write_tour(format, folder / format, tour), FormatError);
+            continue;
+        }
+        const Log log = test::read_log(write_tour(format, folder / format, tour));
+        ASSERT_EQ(log.scans.size(), tour.scans.size());
+        for (std::size_t i = 0; i < log.scans.size(); ++i) {
+            EXPECT_EQ(log.scans[i].landmarks, tour.scans[i].landmarks);
+        }
+    }
+}
+
 TEST(LogWriter, GzipByName) {
     const TempDir folder;
     const Tour tour = tour_with(kHalf, 181);

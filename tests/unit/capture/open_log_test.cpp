@@ -154,9 +154,9 @@ TEST(LogFiles, OfSqliteHaveItsLogOfChanges) {
 
 TEST(LogFormats, AreListedWhereOneIsAskedFor) {
     EXPECT_EQ(log_formats().words(),
-              "player, radish, normalized, carmen, rosbag, mcap, db3, rosbag2");
+              "player, radish, normalized, carmen, mrclam, rosbag, mcap, db3, rosbag2");
     EXPECT_EQ(log_format_choices(),
-              "auto, player, radish, normalized, carmen, rosbag, mcap, db3 or rosbag2");
+              "auto, player, radish, normalized, carmen, mrclam, rosbag, mcap, db3 or rosbag2");
     EXPECT_EQ(writable_formats(), "player, radish, normalized, carmen or mcap");
     for (const char* word :
          {"auto", "player", "radish", "normalized", "carmen", "rosbag", "rosbag2"}) {

@@ -316,6 +316,27 @@ TEST(Extractor, DetectsWhatIsAskedFor) {
     EXPECT_EQ(extract(params, scan).corners.size(), 1U);
 }
 
+TEST(Extractor, LandmarksThatASensorToldAreCornersWithTheirIdentities) {
+    Scan scan =
+        scan_of({joined(wall({2.0, -2.0}, {2.0, 3.0}, 40), wall({2.0, 3.0}, {-3.0, 3.0}, 40))});
+    scan.landmarks = {{2.0, kPi / 2.0, 3}, {1.0, 0.0}};
+    for (const Detection detect : {Detection::lines, Detection::corners, Detection::both}) {
+        ExtractionParams params;
+        params.corner_distance_m = 0.2;
+        params.covariance = ObservationCovariance::points;
+        params.detect = detect;
+        const Observation seen = extract(params, scan);
+        const std::size_t found = detect == Detection::lines ? 0 : 1;
+        EXPECT_EQ(seen.lines.empty(), detect == Detection::corners);
+        ASSERT_EQ(seen.corners.size(), found + 2);
+        EXPECT_EQ(seen.corner_covariances.size(), found);
+        EXPECT_NEAR(seen.corners[found].y, 2.0, 1e-12);
+        EXPECT_EQ(seen.identity(found), 3);
+        EXPECT_EQ(seen.identity(found + 1), LandmarkSighting::kNameless);
+        EXPECT_EQ(seen.identity(0) == LandmarkSighting::kNameless, found > 0);
+    }
+}
+
 TEST(Extractor, AWallOnWhichTheScansSeamLiesIsFittedToItsOuterEnds) {
     // A laser all round: the wall behind is the scan's first piece and its last.
     const Scan scan =

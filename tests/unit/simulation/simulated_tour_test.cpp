@@ -37,6 +37,54 @@ TEST(SimulatedTour, TakesReadingsAndScansAtTheirRates) {
     EXPECT_EQ(tour.true_reading(0).twist, Twist{});
 }
 
+World world_with_landmarks() {
+    World world = small_world();
+    // Two ahead, the second one on the wall; one behind the robot, one behind the wall, one too
+    // far.
+    world.landmarks.at = {{3.0, 1.0}, {8.0, 0.0}, {-1.0, 0.0}, {8.5, 1.0}, {6.0, 3.0}};
+    world.landmarks.sigma_range_m = world.landmarks.sigma_bearing_deg = 0.0;
+    world.laser.max_range_m = 8.2;
+    world.tour.events = {{DisturbanceKind::box, 0.0, {5.0, 2.5, 0.2}}};
+    return world;
+}
+
+TEST(SimulatedTour, LandmarksAreSeenWhereNoWallHidesThem) {
+    World world = world_with_landmarks();
+    const Scan scan = SimulatedTour(world).scan(0);
+    EXPECT_TRUE(scan.points.empty());
+    ASSERT_EQ(scan.landmarks.size(), 2U);
+    EXPECT_EQ(scan.landmarks[0], (LandmarkSighting{std::sqrt(10.0), std::atan2(1.0, 3.0), 0}));
+    EXPECT_EQ(scan.landmarks[1], (LandmarkSighting{8.0, 0.0, 1}));
+    world.landmarks.identities = false;
+    EXPECT_EQ(SimulatedTour(world).scan(0).landmarks[1].identity, LandmarkSighting::kNameless);
+    world.laser.mount_heading_deg = 180.0;
+    world.laser.mount_x_m = 0.5;
+    const Scan behind = SimulatedTour(world).scan(0);
+    ASSERT_EQ(behind.landmarks.size(), 1U);
+    EXPECT_NEAR(behind.landmarks[0].range_m, 1.0, 1e-12);  // of the robot, not of the sensor
+    EXPECT_NEAR(std::abs(behind.landmarks[0].bearing_rad), kPi, 1e-12);
+}
+
+TEST(SimulatedTour, LandmarksAreMeasuredWithTheirNoise) {
+    World world = world_with_landmarks();
+    world.landmarks.at = {{3.0, 1.0}};
+    world.landmarks.sigma_range_m = 0.1;
+    world.landmarks.sigma_bearing_deg = 2.0;
+    world.tour.rest_s = 400.0;
+    const SimulatedTour tour(world);
+    double range = 0.0;
+    double bearing = 0.0;
+    constexpr std::uint64_t kScans = 2000;
+    for (std::uint64_t k = 0; k < kScans; ++k) {
+        const LandmarkSighting seen = tour.scan(k).landmarks.at(0);
+        range += std::pow(seen.range_m - std::sqrt(10.0), 2) / kScans;
+        bearing += std::pow(seen.bearing_rad - std::atan2(1.0, 3.0), 2) / kScans;
+    }
+    EXPECT_NEAR(std::sqrt(range), 0.1, 0.006);
+    EXPECT_NEAR(std::sqrt(bearing) / kRadiansPerDegree, 2.0, 0.12);
+    EXPECT_EQ(tour.scan(7), tour.scan(7));
+}
+
 TEST(SimulatedTour, StartsAtTheOriginOfItsFrameWhereverTheRobotStarts) {
     World world = small_world();
     world.tour.start = {1.0, 1.0, 0.5};

@@ -66,7 +66,7 @@ class SlowFastSlam {
     double observe_one(std::vector<LandmarkEstimate<S>>& map, std::size_t known, const Pose& pose,
                        const Measurement& measured,
                        std::vector<std::pair<int, Measurement>>& todo) const {
-        const auto& [z, r] = measured;
+        const auto& [z, r, identity] = measured;
         double best = params_.association.p0;
         double second = 0.0;
         int at = -1;
@@ -93,7 +93,7 @@ class SlowFastSlam {
     void apply(std::vector<LandmarkEstimate<S>>& map, const Pose& pose,
                const std::vector<std::pair<int, Measurement>>& todo) const {
         for (const auto& [at, measured] : todo) {
-            const auto& [z, r] = measured;
+            const auto& [z, r, identity] = measured;
             if (at < 0) {
                 const Matrix2 g = S::inverse_jacobian(pose, z);
                 LandmarkEstimate<S> fresh{S::inverse(pose, z), g * r * g.transpose()};

@@ -24,6 +24,23 @@ TEST(Measurements, TakeTheFixedVariancesWhereTheFeaturesHaveNone) {
     EXPECT_NEAR(measurements.of<SensorEsquina>()[0].z(0), 5.0, 1e-12);
 }
 
+TEST(Measurements, IdentitiesGoAlongWhereTheyAreBelieved) {
+    Observation seen;
+    seen.lines.push_back({{2.0, 0.3}, 0, 0});
+    seen.corners = {{3.0, 4.0}, {1.0, 0.0}};
+    seen.identities = {kNameless, 7};
+    seen.line_covariances.emplace_back(1e-4 * Matrix2::Identity());
+    seen.corner_covariances.emplace_back(1e-4 * Matrix2::Identity());  // the second one has none
+    Measurements measurements;
+    measure(seen, {0.04, 0.00122}, measurements);
+    EXPECT_EQ(measurements[0].identity, kNameless);
+    EXPECT_EQ(measurements[1].identity, kNameless);
+    EXPECT_EQ(measurements[2].identity, 7);
+    EXPECT_EQ(measurements[2].r(0, 0), 0.04);
+    measure(seen, {}, measurements, false);
+    EXPECT_EQ(measurements[2].identity, kNameless);
+}
+
 TEST(Measurements, ACornerRightAtTheRobotTakesTheFixedVariances) {
     // Its bearing means nothing, whatever its own covariance makes of it.
     Observation seen;

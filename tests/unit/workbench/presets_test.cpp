@@ -47,6 +47,7 @@ TEST(Presets, TheSourceDecidesWhereNobodyChooses) {
     const std::string root = HITOS_SOURCE_DIR;
     EXPECT_EQ(suited_preset(find_world("recinto").string()), "simulated");
     EXPECT_EQ(suited_preset("not/there.toml"), "simulated");
+    EXPECT_EQ(suited_preset(find_world("posts").string()), "landmarks");
     for (const char* log :
          {"data/logs/radish.log.gz", "data/logs/carmen-flaser.log.gz",
           "data/logs/carmen-rawlaser.log.gz", "data/logs/carmen-robotlaser.log.gz",

@@ -45,8 +45,9 @@ QString with_beginning(const QString& reason, const std::string& file) {
 QString suited_words(std::string_view preset) {
     if (preset.empty()) return ConfigurationActions::tr("Parameters: the defaults");
     const QString why =
-        preset == kWorldPreset
-            ? ConfigurationActions::tr("Parameters: %1, because this is a world")
+        preset == kWorldPreset ? ConfigurationActions::tr("Parameters: %1, because this is a world")
+        : preset == kLandmarkPreset
+            ? ConfigurationActions::tr("Parameters: %1, because its sensor tells landmarks")
             : ConfigurationActions::tr("Parameters: %1, because a robot recorded this log");
     return why.arg(translated("Preset", find_preset(preset).label));
 }

@@ -44,6 +44,9 @@ QString reason_words(Association::Reason reason) {
             return words(QT_TRANSLATE_NOOP(
                 "Associations",
                 "It shows the landmark that an earlier feature of this scan has made."));
+        case Reason::known:
+            return words(
+                QT_TRANSLATE_NOOP("Associations", "The sensor said which landmark it is."));
         case Reason::drawn:
             return words(QT_TRANSLATE_NOOP(
                 "Associations", "Several are plausible; one was drawn by their likelihoods."));

@@ -182,6 +182,10 @@
         <source>too far, passed over</source>
         <translation>demasiado lejos, descartado</translation>
     </message>
+    <message>
+        <source>The sensor said which landmark it is.</source>
+        <translation>El sensor ha dicho qué hito es.</translation>
+    </message>
 </context>
 <context>
     <name>Disturbance</name>
@@ -1391,10 +1395,6 @@
         <translation>se encontró %1, se esperaba más de 0</translation>
     </message>
     <message>
-        <source>[%1]: no such group; expected [tour], [robot], [laser], [raster] or [odometry]</source>
-        <translation>[%1]: no existe ese grupo; se esperaba [tour], [robot], [laser], [raster] u [odometry]</translation>
-    </message>
-    <message>
         <source>found no walls; expected the key walls or walls_dxf</source>
         <translation>no se encontró ninguna pared; se esperaba la clave walls o walls_dxf</translation>
     </message>
@@ -1925,10 +1925,6 @@
     <message>
         <source>found way_points and commands in [tour], expected one of them</source>
         <translation>se encontraron way_points y commands en [tour], se esperaba uno de los dos</translation>
-    </message>
-    <message>
-        <source>%1: no such key; expected walls, walls_dxf, dxf_layer, dxf_unit, doors, people, seed, [tour], [robot], [laser], [raster] or [odometry]</source>
-        <translation>%1: no existe esa clave; se esperaba walls, walls_dxf, dxf_layer, dxf_unit, doors, people, seed, [tour], [robot], [laser], [raster] o [odometry]</translation>
     </message>
     <message>
         <source>found the speed %1 m/s, expected %2 to %3</source>
@@ -3122,6 +3118,42 @@
         <source>is neither a file nor a benchmark that comes with Hitos; those are %1</source>
         <translation>no es un archivo ni una comparativa que venga con Hitos; las que hay son %1</translation>
     </message>
+    <message>
+        <source>is of the format %1, but no tour by itself; expected %2</source>
+        <translation>es del formato %1, pero no un recorrido por sí solo; se esperaba %2</translation>
+    </message>
+    <message>
+        <source>one that Barcodes.dat lists</source>
+        <translation>uno de los que enumera Barcodes.dat</translation>
+    </message>
+    <message>
+        <source>no less than 0</source>
+        <translation>no menos de 0</translation>
+    </message>
+    <message>
+        <source>a whole number from 0, or -1 where it is unknown</source>
+        <translation>un número entero desde 0, o -1 donde no se conoce</translation>
+    </message>
+    <message>
+        <source>the landmarks that n announces</source>
+        <translation>los hitos que anuncia n</translation>
+    </message>
+    <message>
+        <source>the landmarks of line %1 (time %2) cannot be written as readings of a laser; write them in the normalized format</source>
+        <translation>los hitos de la línea %1 (tiempo %2) no se pueden escribir como lecturas de un láser; escríbalos en el formato normalized</translation>
+    </message>
+    <message>
+        <source>identity: found %1, expected a whole number from 0</source>
+        <translation>identity: se encontró %1, se esperaba un número entero desde 0</translation>
+    </message>
+    <message>
+        <source>[%1]: no such group; expected [tour], [robot], [laser], [landmarks], [raster] or [odometry]</source>
+        <translation>[%1]: no existe ese grupo; se esperaba [tour], [robot], [laser], [landmarks], [raster] u [odometry]</translation>
+    </message>
+    <message>
+        <source>%1: no such key; expected walls, walls_dxf, dxf_layer, dxf_unit, doors, people, seed, [tour], [robot], [laser], [landmarks], [raster] or [odometry]</source>
+        <translation>%1: no existe esa clave; se esperaba walls, walls_dxf, dxf_layer, dxf_unit, doors, people, seed, [tour], [robot], [laser], [landmarks], [raster] u [odometry]</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -3971,6 +4003,22 @@
         <source>Folder with the results of a run, whose tour comes before this one: the robot, which may begin anywhere in that map, is found in it, and the map goes on; empty begins a new one.</source>
         <translation>Carpeta con los resultados de una ejecución, cuyo recorrido va antes de este: se encuentra al robot, que puede empezar en cualquier sitio de ese mapa, y el mapa sigue; vacío empieza uno nuevo.</translation>
     </message>
+    <message>
+        <source>standard deviation of a landmark&apos;s range</source>
+        <translation>desviación típica de la distancia a un hito</translation>
+    </message>
+    <message>
+        <source>standard deviation of a landmark&apos;s bearing</source>
+        <translation>desviación típica del rumbo de un hito</translation>
+    </message>
+    <message>
+        <source>whether the sensor tells which landmark it sees</source>
+        <translation>si el sensor dice qué hito ve</translation>
+    </message>
+    <message>
+        <source>Whether what a sensor says of which landmark it sees is believed, wherever that landmark lies; off associates as if it said nothing.</source>
+        <translation>Si se cree lo que un sensor dice de qué hito ve, esté donde esté ese hito; off asocia como si no dijera nada.</translation>
+    </message>
 </context>
 <context>
     <name>ParameterChoice</name>
@@ -4229,6 +4277,10 @@
     <message>
         <source>X and O</source>
         <translation>X y O</translation>
+    </message>
+    <message>
+        <source>MRCLAM</source>
+        <translation>MRCLAM</translation>
     </message>
 </context>
 <context>
@@ -4832,6 +4884,18 @@
         <source>Map to go on with</source>
         <translation>Mapa con el que seguir</translation>
     </message>
+    <message>
+        <source>σ bearing</source>
+        <translation>σ rumbo</translation>
+    </message>
+    <message>
+        <source>Identities</source>
+        <translation>Identidades</translation>
+    </message>
+    <message>
+        <source>Known identities</source>
+        <translation>Identidades conocidas</translation>
+    </message>
 </context>
 <context>
     <name>Picture</name>
@@ -4901,6 +4965,14 @@
     <message>
         <source>FastSLAM 1.0 alone on logs of real robots: noise that grows with the motion, gaps that end a line.</source>
         <translation>FastSLAM 1.0 solo, con registros de robots reales: ruido que crece con el movimiento y huecos que terminan una recta.</translation>
+    </message>
+    <message>
+        <source>Landmarks with names</source>
+        <translation>Hitos con nombre</translation>
+    </message>
+    <message>
+        <source>FastSLAM for sensors that tell landmarks by themselves, posts or codes, and say which one they see.</source>
+        <translation>FastSLAM para sensores que distinguen por sí mismos los hitos, postes o códigos, y dicen cuál ven.</translation>
     </message>
 </context>
 <context>
@@ -5547,6 +5619,10 @@
     <message>
         <source>There is no map to go on with</source>
         <translation>No hay mapa con el que seguir</translation>
+    </message>
+    <message>
+        <source>Parameters: %1, because its sensor tells landmarks</source>
+        <translation>Parámetros: %1, porque su sensor distingue hitos</translation>
     </message>
 </context>
 <context>
@@ -6291,6 +6367,10 @@
     <message>
         <source>Corner</source>
         <translation>Esquina</translation>
+    </message>
+    <message>
+        <source>Landmark %1</source>
+        <translation>Hito %1</translation>
     </message>
 </context>
 <context>

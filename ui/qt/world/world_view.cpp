@@ -40,6 +40,7 @@ std::vector<QPointF> all_places(const World& world) {
     for (const Walker& walker : world.walkers) {
         for (const Point2& point : walker.way) points.push_back(point_of(point));
     }
+    for (const Point2& mark : world.landmarks.at) points.push_back(point_of(mark));
     for (const WayPoint& point : world.tour.way_points) points.push_back(point_of(point.at));
     for (const Disturbance& event : world.tour.events) {
         if (event.kind == DisturbanceKind::box)
@@ -168,6 +169,12 @@ void WorldView::paint_walls(QPainter& painter, const Scene& scene) const {
     const std::vector<WallSegment> walls = tour_ ? tour_->walls_now() : world()->walls;
     draw_walls(painter, scene, walls, thin_pen(scene.colours.text, 2.0));
     paint_doors(painter, scene, walls);
+    int mark = 0;
+    for (const Point2& at : world()->landmarks.at) {
+        const QPointF place = scene.to_screen.map(point_of(at));
+        draw_cross(painter, place, scene.colours.accent);
+        painter.drawText(place + QPointF(5.0, -5.0), QString::number(mark++));
+    }
     std::vector<Point2> people;
     if (tour_) people = tour_->people_now();
     for (std::size_t i = 0; i < world()->walkers.size(); ++i) {

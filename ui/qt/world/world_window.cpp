@@ -226,7 +226,7 @@ bool WorldWindow::begin_driving(const QString& path) {
         Configuracion configuration = session_.configuration();
         // What suits a log suits no world, and nothing was chosen for worlds yet.
         if (!is_world_file(configuration.source.file)) {
-            configuration = preset_configuration(kWorldPreset);
+            configuration = suited_configuration(path.toStdString());
         }
         configuration.source = {};
         configuration.source.file = path.toStdString();

@@ -25,14 +25,19 @@ struct MapError {
     int reference_found = 0;  ///< reference landmarks that are the nearest of some landmark
 };
 
-/// Nothing where no landmark can be compared.
+/// Whether both maps say which landmarks they hold (ICaracteristica::identity).
+bool have_identities(const LandmarkMap& map, const LandmarkMap& reference);
+
+/// Nothing where no landmark can be compared. Where both maps have identities, a landmark is
+/// compared with that of its own.
 std::optional<MapError> map_error(const LandmarkMap& map, const LandmarkMap& reference);
 
 /// The rigid motion that takes the map nearest to the reference (least squares over the pairs of
 /// map_error, found anew until they no longer change), and the error after it. It takes the
 /// frame's error at the start out of the figure. The search starts at no motion and only goes
 /// downhill: the sum of squares is never greater than without alignment. What the map does not
-/// fix (the way along parallel lines) stays as it is.
+/// fix (the way along parallel lines) stays as it is. Where both maps say which landmarks they
+/// hold, it starts at the best motion of these, however far that is.
 struct AlignedMapError {
     Pose pose_reference_map;
     MapError error;

@@ -96,6 +96,8 @@ class Algoritmo {
     /// Those of registration's keys; empty where no grid is drawn.
     const std::vector<std::shared_ptr<const Scan>>& key_scans() const { return state_.key_scans; }
     const Observation& observation() const { return state_.observation; }  ///< its features
+    /// Whether a sensor told landmarks so far, and no laser showed what is between them.
+    bool shows_landmarks_alone() const { return state_.saw_landmarks && !state_.saw_points; }
     const ReadReport& report() const { return reader_->report(); }
     /// With registration it is of the key scans, and drawn anew when it is asked for after a
     /// correction, each scan at its corrected place.

@@ -67,7 +67,9 @@ struct RunState {
     Scan scan;                ///< the last one
     Observation observation;  ///< its features
     OdometryPath odometry;
-    bool held = false;  ///< the map, as the second of two tours finds it
+    bool saw_points = false;     ///< of a laser
+    bool saw_landmarks = false;  ///< that a sensor told by themselves
+    bool held = false;           ///< the map, as the second of two tours finds it
     bool finished = false;
 
     /// The filter's best pose at every scan so far.

@@ -72,7 +72,7 @@ class SimulatedTour {
     /// first.
     Pose true_pose(std::uint64_t k) const;
     /// The scan with the laser's noise; where the laser sweeps, as it was measured, with the times
-    /// of its points.
+    /// of its points. Of a world with landmarks, those that are seen.
     Scan scan(std::uint64_t k) const;
 
     std::uint64_t readings() const;
@@ -92,6 +92,7 @@ class SimulatedTour {
         std::uint64_t periods = 0;
     };
     double settled_s() const;
+    Scan seen_landmarks(std::uint64_t k) const;
     double ray_time_s(std::uint32_t ray) const;
 
     World world_;

@@ -113,6 +113,16 @@ struct OdometryParams {
     OdometryNoiseKind noise_kind = OdometryNoiseKind::relative_sigma;
 };
 
+/// Posts, beacons, marks with a code: landmarks that a sensor tells from the rest by themselves. A
+/// robot in a world that has some has such a sensor in the place of the laser, where that would
+/// sit, with its field of view, greatest range and rate; walls hide what is behind them.
+struct MarkParams {
+    std::vector<Point2> at;  ///< [m, world frame]; a mark's place in the list is its identity
+    double sigma_range_m = 0.1;
+    double sigma_bearing_deg = 2.0;
+    bool identities = true;  ///< whether the sensor tells which one it sees
+};
+
 struct World {
     std::string name;                       ///< the file's name without folder and extension
     std::string file;                       ///< path, for messages
@@ -122,6 +132,7 @@ struct World {
     std::vector<WallSegment> walls;
     std::vector<WallSegment> doors;  ///< walls that open and close, closed at the start
     std::vector<Walker> walkers;
+    MarkParams landmarks;
     TourParams tour;
     RobotParams robot;
     LaserParams laser;

@@ -44,7 +44,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 110U);
+    EXPECT_EQ(keys.size(), 111U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
@@ -276,6 +276,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
                             true,
                             0.34,
                             true,
+                            false,
                             true};
     c.filter.landmarks = {true, 0.35, -0.36, 4.5, 37, 38};
     c.filter.resampling = {ResamplingRule::neff, 41.5, "residual"};
@@ -333,6 +334,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"association.segments", "on"},
         {"association.segment_margin", "0.34"},
         {"association.exclusive", "on"},
+        {"association.known", "off"},
         {"association.hypotheses", "on"},
         {"landmarks.vanish", "on"},
         {"landmarks.hit", "0.35"},

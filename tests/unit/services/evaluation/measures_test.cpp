@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 namespace hitos {
@@ -41,6 +42,34 @@ double sum_of_squares(const LandmarkMap& map, const LandmarkMap& reference) {
         if (best < HUGE_VAL) sum += best * best;
     }
     return sum;
+}
+
+ICaracteristica named(double x, double y, std::int32_t identity) {
+    ICaracteristica landmark = corner(x, y);
+    landmark.identity = identity;
+    return landmark;
+}
+
+TEST(MapError, WhereBothMapsHaveNamesIsThatOfNamesakes) {
+    const LandmarkMap reference = {named(0, 0, 1), named(4, 0, 2), named(4, 3, 3)};
+    const LandmarkMap map = {named(4, 1, 1), named(4, 2, 2), named(9, 9, 7), corner(4, 3)};
+    const MapError error = map_error(map, reference).value();
+    EXPECT_EQ(error.landmarks, 2);
+    EXPECT_EQ(error.without_reference, 2);
+    EXPECT_EQ(error.reference_found, 2);
+    EXPECT_DOUBLE_EQ(error.mean_m, (std::hypot(4.0, 1.0) + 2.0) / 2.0);
+    // Where only one of them has, the nearest.
+    EXPECT_EQ(map_error(map, {corner(4, 1), corner(4, 3)}).value().landmarks, 4);
+}
+
+TEST(AlignedMapError, OfMapsWithNamesNeedsNoFrameInCommon) {
+    LandmarkMap reference;
+    for (int i = 0; i < 9; ++i) reference.push_back(named(3.0 * (i % 3), 2.0 * i, i));
+    const Pose pose{-40.0, 25.0, 2.9};
+    const AlignedMapError aligned = aligned_map_error(moved(reference, pose), reference).value();
+    EXPECT_LT(aligned.error.maximum_m, 1e-9);
+    EXPECT_EQ(aligned.error.reference_found, 9);
+    EXPECT_NEAR(wrap_angle(aligned.pose_reference_map.theta + pose.theta), 0.0, 1e-12);
 }
 
 TEST(MapError, IsTheMeanDistanceToTheNearestOfTheSameKind) {

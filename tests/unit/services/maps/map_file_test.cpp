@@ -55,6 +55,29 @@ TEST(ParseMap, IsTolerantOfCaseAndSpacing) {
     EXPECT_EQ(std::get<Esquina>(parse_map("X:1 Y :2", "m")[0].value), (Esquina{1.0, 2.0}));
 }
 
+TEST(MapFile, LandmarksMayHaveNames) {
+    const LandmarkMap map = parse_map("x: 1 y: 2 identity: 7\nx: 3 y: 4\n", "m");
+    ASSERT_EQ(map.size(), 2U);
+    EXPECT_EQ(map[0].identity, 7);
+    EXPECT_EQ(map[1].identity, -1);
+    EXPECT_EQ(map_to_text(map), "x: 1 y: 2 identity: 7\nx: 3 y: 4\n");
+    for (const char* identity : {"-1", "1.5", "3e9"}) {
+        EXPECT_THAT(map_refusal(std::string("x: 1 y: 2 identity: ") + identity),
+                    HasSubstr("expected a whole number from 0"));
+    }
+    EXPECT_THAT(map_refusal("x: 1 y: 2 name: 3"), HasSubstr("expected"));
+}
+
+TEST(MapFile, ReadsTheMarksOfMrclam) {
+    const LandmarkMap map = parse_map(
+        "# UTIAS Multi-Robot Cooperative Localization and Mapping Dataset\n# x\n"
+        "  6 \t 5.5 \t 4.25 \t 0.0002 \t 0.0004\n 20 1 2 0 0\n",
+        "m");
+    ASSERT_EQ(map.size(), 2U);
+    EXPECT_EQ(std::get<Esquina>(map[0].value), (Esquina{5.5, 4.25}));
+    EXPECT_EQ(map[1].identity, 20);
+}
+
 TEST(ParseMap, BringsLinesToNormalForm) {
     EXPECT_EQ(line_of("rho: 1 theta: 180"), (Recta{1.0, kPi}));
     EXPECT_EQ(line_of("rho: 1 theta: -180"), (Recta{1.0, kPi}));
