@@ -103,7 +103,7 @@ void WordsTest::a_refused_log_is_told_in_spanish() {
     const QString letter = f.write("carta.log", "Querido lector,\nesto no es nada.\n");
     QVERIFY(!f.window->configuration_actions().open(letter));
     VERIFY_SPANISH(warning_about(f, letter), "ninguna línea es de un formato que Hitos lea");
-    VERIFY_SPANISH(verdict_on(f, letter), "carmen, rosbag, mcap, db3 o rosbag2");
+    VERIFY_SPANISH(verdict_on(f, letter), "carmen, mrclam, rosbag, mcap, db3 o rosbag2");
     VERIFY_SPANISH(verdict_on(f, f.write("vacio.log", "")), "está vacío");
     VERIFY_SPANISH(verdict_on(f, "/nowhere/x.log"), "no existe");
     VERIFY_SPANISH(verdict_on(f, f.folder.path()), "es una carpeta");

@@ -55,7 +55,7 @@ class LineParser {
             if (key() != "y") fail_line();
             const double y = value("y");
             landmark.value = Esquina{x, y};
-            if (!input::trimmed(rest_).empty()) landmark.identity = identity();
+            if (rest_.find(':') != std::string_view::npos) landmark.identity = identity();
         } else {
             fail_line();
         }

@@ -35,11 +35,14 @@ StudyLayout staging_of(const StudyLayout& layout) {
     return hidden(layout, "new");
 }
 
+/// Throws FileError where nobody knows: who takes it for another study works beside those that are
+/// at work on this one.
 std::optional<StudyPlan> plan_in(const StudyLayout& layout) {
     try {
+        if (!is_file(plan_file(layout))) return std::nullopt;
         return read_plan(layout);
-    } catch (const Error&) {
-        return std::nullopt;  // none, or none that can be gone on with
+    } catch (const FormatError&) {
+        return std::nullopt;  // none that can be gone on with
     }
 }
 
@@ -155,25 +158,33 @@ void install(const StudyLayout& staging, const StudyLayout& target) {
     for (const fs::path& path : {plan_file(staging), journal, staging.folder}) remove_whole(path);
 }
 
-/// Of an installation that cannot be finished: the tables that it has put in place already are no
-/// others' than its own.
+/// Of an installation that cannot be finished: what it has put in place already goes back to where
+/// it waits; the tables are no others' than its own.
 void take_back(const StudyLayout& staging, const StudyLayout& target) {
-    std::vector<WrittenFile> own;
+    std::set<std::string> own;
     std::vector<WrittenFile> files;
     try {
         const fs::path journal = staging.folder / kJournal;
         files = files_named(parsed<nlohmann::json>(input::read_text(journal), journal.string()),
                             journal, true);
-        if (is_there(plan_file(target))) own = read_plan_state(target).files;
+        own = former_files(target, true);
     } catch (const std::exception&) {
         return;  // nobody knows what it has put there
     }
+    FileExchange exchange(staging.folder, target.folder);
     for (const WrittenFile& file : files) {
-        const bool stays = file.name == relative(plan_file(target), target) ||
-                           is_of_run(target, file.name) ||
-                           std::ranges::count(own, file.name, &WrittenFile::name) > 0;
-        if (!stays && is_unchanged(file, target.folder)) remove_whole(target.folder / file.name);
+        const bool seal = file.name == relative(plan_file(target), target);
+        if (seal || !is_unchanged(file, target.folder)) continue;
+        if (is_of_run(target, file.name)) {
+            // One of the former study with the very same bytes never went anywhere.
+            const bool moved = !own.contains(file.name) || is_there(staging.folder / file.name);
+            if (moved && !is_unchanged(file, staging.folder)) exchange.add(file.name);
+        } else if (!own.contains(file.name)) {
+            remove_whole(target.folder / file.name);
+        }
     }
+    exchange.flush();
+    exchange.keep();
 }
 
 /// Finishes what an interrupted publish() began. Only where nobody else is at work.
@@ -214,7 +225,7 @@ void check_there(const StudyLayout& target) {
 
 StudyLayout work_place(const StudyLayout& target, const StudyPlan& plan) {
     if (holds_plan(target, plan)) return target;
-    if (is_there(plan_file(target)) || holds_plan(next_study(target), plan))
+    if (is_file(plan_file(target)) || holds_plan(next_study(target), plan))
         return next_study(target);
     return target;
 }

@@ -40,8 +40,9 @@ LessonGuide::LessonGuide(QMainWindow& window, QMenu& help, QAction* before,
     menu->setObjectName("menu_lessons");
     help.insertMenu(before, menu);
     for (const Lesson& lesson : lessons_) {
-        QAction* action =
-            menu->addAction(QString("&%1. %2").arg(lesson.number).arg(title_of(lesson)));
+        QString number = QString::number(lesson.number);
+        number.insert(number.size() - 1, '&');  // of 10 the second digit: 1 is the first lesson's
+        QAction* action = menu->addAction(number + ". " + title_of(lesson));
         action->setObjectName(QString("action_lesson_%1").arg(lesson.number));
         connect(action, &QAction::triggered, this, [this, lesson] { open(lesson); });
     }

@@ -5085,6 +5085,10 @@
         <source>Raster of the walls</source>
         <translation>Cuadrícula de las paredes</translation>
     </message>
+    <message>
+        <source>Landmarks in the place of a laser</source>
+        <translation>Hitos en lugar de un láser</translation>
+    </message>
 </context>
 <context>
     <name>WorldItem</name>

@@ -23,10 +23,11 @@ struct WorldGroup {
 };
 
 /// Two columns, about as long as each other.
-constexpr std::array<std::array<WorldGroup, 3>, 2> kColumns = {
+constexpr std::array<std::array<WorldGroup, 4>, 2> kColumns = {
     {{{{"robot", QT_TRANSLATE_NOOP("WorldForm", "Robot")},
        {"tour", QT_TRANSLATE_NOOP("WorldForm", "Tour")},
-       {"seed", QT_TRANSLATE_NOOP("WorldForm", "Noise")}}},
+       {"seed", QT_TRANSLATE_NOOP("WorldForm", "Noise")},
+       {"landmarks", QT_TRANSLATE_NOOP("WorldForm", "Landmarks in the place of a laser")}}},
      {{{"laser", QT_TRANSLATE_NOOP("WorldForm", "Laser")},
        {"odometry", QT_TRANSLATE_NOOP("WorldForm", "Odometry")},
        {"raster", QT_TRANSLATE_NOOP("WorldForm", "Raster of the walls")}}}}};
@@ -44,6 +45,7 @@ WorldForm::WorldForm(WorldText text, QWidget* parent) : QDialog(parent), text_(s
     for (const auto& tables : kColumns) {
         auto* column = new QVBoxLayout;
         for (const WorldGroup& group : tables) {
+            if (*group.table == '\0') continue;
             auto* box = new QFrame(groups);
             box->setProperty("role", "card");
             auto* rows = new QGridLayout(box);

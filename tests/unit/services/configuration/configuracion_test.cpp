@@ -151,7 +151,7 @@ TEST(ParameterText, FormatsAreTheWordsOfTheCaptureLayer) {
         EXPECT_EQ(format.choices[i].word, log_formats().entries()[i - 1].word);
     }
     EXPECT_EQ(format.allowed(),
-              "one of auto, player, radish, normalized, carmen, rosbag, mcap, db3, rosbag2");
+              "one of auto, player, radish, normalized, carmen, mrclam, rosbag, mcap, db3, rosbag2");
 }
 
 TEST(FindParameter, FindsEveryKey) {

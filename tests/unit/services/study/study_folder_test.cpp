@@ -12,6 +12,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/study/study_check.hpp"
+#include "results/written_files.hpp"
 #include "study/study_files.hpp"
 #include "study_fixture.hpp"
 
@@ -369,6 +370,60 @@ TEST_F(StudyFolderTest, WhatCannotBeLookedAtIsNotLost) {
     fs::create_symlink("blur.dat", folder_ / hidden / "blur.dat");  // leads to itself
     EXPECT_THAT(message_of<FileError>([&] { recover_study(layout()); }), HasSubstr("blur.dat"));
     EXPECT_EQ(content(folder_ / hidden / "journal.json"), journal) << "the next one goes on";
+}
+
+TEST_F(StudyFolderTest, WhatCannotAllBePutInPlaceGoesBackToWhereItWaits) {
+    run(study("out"));
+    const auto before = files("out");
+    Study longer = other();
+    longer.seeds = 4;  // one more than the study has that is there
+    constexpr std::size_t kDone = 15;
+    stopped(longer, kDone);
+    const fs::path next = out(".study.json.hitos-next");
+    std::vector<WrittenFile> list;
+    for (const auto& entry : fs::directory_iterator(next / "maps"))
+        list.push_back(written_file(next, "maps/" + entry.path().filename().string()));
+    ASSERT_EQ(list.size(), kDone);
+    // As many of the two studies' names have changed places as a loss of power has left.
+    const auto change_places = [&](const std::string& name) {
+        if (fs::exists(out(name))) fs::rename(out(name), folder_ / "kept");
+        fs::rename(next / name, out(name));
+        if (fs::exists(folder_ / "kept")) fs::rename(folder_ / "kept", next / name);
+    };
+    change_places("maps/dmax-0.02-p-2-s1.map");
+    change_places("maps/dmax-0.02-p-2-s4.map");
+    list.push_back({"maps/lost.map", 1, {}});
+    folder_.put("out/.study.json.hitos-next/journal.json",
+                nlohmann::json{{"with_runs", true}, {"files", json_of(list)}}.dump());
+    run(study("out"));  // finds all done
+    expect_still_there(before);
+    EXPECT_THAT(check_study(layout()).left_over, IsEmpty());
+    EXPECT_THAT(check_study(layout()).missing, IsEmpty());
+    EXPECT_EQ(run(longer).reused, kDone);
+    EXPECT_TRUE(check_study(layout()).whole());
+}
+
+TEST_F(StudyFolderTest, APlanThatCannotBeReadJustNowIsNoReasonToWorkElsewhere) {
+    run(study("out"));
+    fs::remove(out("study.json"));
+    fs::create_symlink("study.json", out("study.json"));  // leads to itself: an error to any reader
+    StudyOptions first;
+    first.shard = {1, 2};
+    EXPECT_THAT(message_of<FileError>([&] { run(study("out"), first); }), HasSubstr("study.json"));
+    EXPECT_THAT(hidden_files(), IsEmpty());
+}
+
+TEST_F(StudyFolderTest, LeftoversGoFromWhatIsThereAndFromWhatWaits) {
+    run(study("out"));
+    stopped(other(), 2);
+    const std::vector<fs::path> left = {
+        folder_.put("out/runs/.hitos-1-0.tmp", "half"), folder_.put("out/maps/.hitos-1-0.tmp", ""),
+        folder_.put("out/.study.json.hitos-next/runs/.hitos-2-0.tmp", "half")};
+    run(study("out"));
+    for (const fs::path& file : left) EXPECT_EQ(fs::exists(file), file == left.back()) << file;
+    run(other());
+    EXPECT_TRUE(check_study(layout()).whole());
+    EXPECT_THAT(hidden_files(), IsEmpty());
 }
 
 TEST_F(StudyFolderTest, FilesOfOthersWithTheNamesOfTablesStay) {
