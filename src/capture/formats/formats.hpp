@@ -40,6 +40,9 @@ inline LineKind other_or_damaged(std::string_view text) {
     return begins_with_letter(text) ? LineKind::other : LineKind::damaged;
 }
 
+/// "time V W" of a line, whose rest is left: m/s, rad/s.
+OdometryRecord read_velocities(Fields& fields, const RawLine& line);
+
 /// Tells a converter of ranges by which value the log says "no return" where nothing states it.
 template <class Made>
 void look_for_no_return(const Fuente& fuente, const ReadOptions& options, Made& conversor) {

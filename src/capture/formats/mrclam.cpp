@@ -119,14 +119,8 @@ std::optional<Scan> ConversorMrclam::scan(const RawLine& line) {
 
 std::optional<OdometryRecord> ConversorMrclam::odometry(const RawLine& line) {
     Fields fields(line);
-    OdometryRecord record;
-    record.line = line.number;
-    record.time_s = fields.number("time");
-    Twist velocity;
-    velocity.v = fields.number("V");
-    velocity.w = fields.number("W");
+    OdometryRecord record = read_velocities(fields, line);
     fields.expect_end(HITOS_TEXT("Errors", "the velocities"));
-    record.velocity = velocity;
     return record;
 }
 

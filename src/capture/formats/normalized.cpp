@@ -117,15 +117,9 @@ void ConversorNormalized::read_landmarks(Fields& fields, Scan& scan) const {
 std::optional<OdometryRecord> ConversorNormalized::odometry(const RawLine& line) {
     Fields fields(line);
     fields.word("ODOM");
-    OdometryRecord record;
-    record.line = line.number;
-    record.time_s = fields.number("time");
-    Twist velocity;
-    velocity.v = fields.number("V");
-    velocity.w = fields.number("W");
-    if (!fields.at_end()) velocity.v_lateral = fields.number("VL");
+    OdometryRecord record = read_velocities(fields, line);
+    if (!fields.at_end()) record.velocity->v_lateral = fields.number("VL");
     fields.expect_end(HITOS_TEXT("Errors", "the velocities"));
-    record.velocity = velocity;
     return record;
 }
 
@@ -217,6 +211,17 @@ void LogWriterNormalized::put_odometry(std::string& out, const Odometria& odomet
 }
 
 }  // namespace
+
+OdometryRecord read_velocities(Fields& fields, const RawLine& line) {
+    OdometryRecord record;
+    record.line = line.number;
+    record.time_s = fields.number("time");
+    Twist velocity;
+    velocity.v = fields.number("V");
+    velocity.w = fields.number("W");
+    record.velocity = velocity;
+    return record;
+}
 
 LogFormat normalized_format() {
     return {{"normalized", HITOS_TEXT("ParameterChoice", "Normalised"),

@@ -259,13 +259,16 @@ void GraphSlam::correct(const PathCorrection& correction) {
         throw std::logic_error("graph-slam missed keys of registration");
     }
     // Registration's solution is the start: keys are taken over, landmarks go with the key that saw
-    // them last.
-    for (std::size_t i = 0; i < graph_.landmarks().size(); ++i) {
+    // them last. What landmarks with names say of the path it knows nothing of.
+    const bool named = std::ranges::any_of(graph_.landmarks(), [](const GraphLandmark& landmark) {
+        return landmark.identity != kNameless;
+    });
+    for (std::size_t i = 0; !named && i < graph_.landmarks().size(); ++i) {
         const Sighting& last = graph_.sightings()[graph_.landmarks()[i].sightings.back()];
         graph_.transform_landmark(
             i, compose(correction.keys[last.key].pose, inverse(graph_.keys()[last.key].pose)));
     }
-    for (std::size_t i = 0; i < graph_.keys().size(); ++i) {
+    for (std::size_t i = 0; !named && i < graph_.keys().size(); ++i) {
         graph_.pose(i) = correction.keys[i].pose;
     }
     graph_.replace_edges(correction.edges);

@@ -116,7 +116,9 @@ class Algoritmo {
     const TourExamination* examination() const { return examination_.get(); }
     /// To be judged by.
     RunEvidence evidence() const {
-        return {configuration_, *reader_, odometry_trajectory(), registration(), examination()};
+        // Without points there was nothing to register, and that says nothing of the map.
+        return {configuration_, *reader_, odometry_trajectory(),
+                shows_landmarks_alone() ? nullptr : registration(), examination()};
     }
     /// Of what speaks against the configuration so far; a recording that is run without
     /// registration is offered it.
