@@ -109,6 +109,15 @@ TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress) {
     while (const std::optional<Scan> scan = reader.next_scan()) {
         if (reader.report().scans == 1) summary.fan = scan->fan;
         stamps.add(scan->time_s);
+        summary.points += scan->points.size();
+        summary.sightings += scan->landmarks.size();
+        for (const LandmarkSighting& seen : scan->landmarks) {
+            if (seen.identity == LandmarkSighting::kNameless) {
+                ++summary.nameless;
+            } else {
+                summary.identities.insert(seen.identity);
+            }
+        }
         examination.note(*scan);
         // Both sequences keep together, so that progress means both.
         read_odometry_to(scan->line);

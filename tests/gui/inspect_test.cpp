@@ -264,7 +264,7 @@ void InspectTest::a_clicked_feature_tells_why() {
     const Association& told = snapshot->associations[static_cast<std::size_t>(chosen)];
     QCOMPARE(told.kind, FeatureKind::line);
     const QString words = f.window->findChild<QLabel*>("association_words")->text();
-    QVERIFY2(words.startsWith(outcome_words(told)), qPrintable(words));
+    QVERIFY2(words.startsWith(outcome_words(told, snapshot->best_map)), qPrintable(words));
     QVERIFY2(words.contains(reason_words(told.reason)), qPrintable(words));
     QVERIFY2(words.contains("p0"), qPrintable(words));
     // All lines of the map before the scan were compared, the nearest stands first.
@@ -311,7 +311,8 @@ void InspectTest::the_inspector_tells_of_every_algorithm_and_particle() {
         QCOMPARE(rows_of(inspector->candidates()).rowCount(),
                  static_cast<int>(feature.compared.size()));
         const QString words = f.window->findChild<QLabel*>("association_words")->text();
-        QVERIFY2(words.startsWith(outcome_words(feature.decision)), qPrintable(words));
+        QVERIFY2(words.startsWith(outcome_words(feature.decision, snapshot->best_map)),
+                 qPrintable(words));
         particle->setValue(-1);
     }
 }

@@ -177,6 +177,15 @@ class Oracles(unittest.TestCase):
         wanted = np.asarray(wanted)
         np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-9 * max(np.abs(wanted).max(), 1e-3))
 
+    def compare(self, state, wanted):
+        """The map, landmark by landmark, against means and covariances by their identities."""
+        self.assertEqual(sorted(state.landmarks["identity"]), sorted(wanted))
+        self.assertEqual(len(state.covariances), len(wanted))
+        for landmark, covariance in zip(state.landmarks, state.covariances):
+            mean, its_covariance = wanted[int(landmark["identity"])]
+            self.close([landmark["x"], landmark["y"]], mean)
+            self.close(covariance, its_covariance)
+
     def test_the_tour_sees_landmarks_again_and_again(self):
         seen = [len(seen) for _, _, seen in self.steps]
         self.assertGreater(len(seen), 500)
@@ -193,18 +202,14 @@ class Oracles(unittest.TestCase):
             self.close(state.pose[:2], ekf.mean[:2])
             self.assertLess(abs(wrapped(state.pose[2] - ekf.mean[2])), 1e-9)
             self.close(state.pose_covariance, ekf.covariance[:3, :3])
-        self.assertEqual({*state.landmarks["identity"]}, set(ekf.places))
-        for landmark, covariance in zip(state.landmarks, state.covariances):
-            mean, wanted = ekf.landmark(int(landmark["identity"]))
-            self.close([landmark["x"], landmark["y"]], mean)
-            self.close(covariance, wanted)
+            self.compare(state, {identity: ekf.landmark(identity) for identity in ekf.places})
 
     def test_fastslam(self):
         count = 20
         run = hitos.Run(self.log, {"filter.particles": count, "resampling.rule": "neff",
                                    "resampling.neff_threshold": 0, **NOISE})
         particles = [Particle() for _ in range(count)]
-        for _, _, seen in self.steps[:150]:
+        for _, _, seen in self.steps:
             state = run.step(1)
             for particle, pose in zip(particles, state.particles):
                 particle.step(pose, seen)
@@ -213,10 +218,7 @@ class Oracles(unittest.TestCase):
             self.close(state.weights, weights / weights.sum())
             best = particles[int(np.argmax(logs))]
             self.assertEqual(state.best, int(np.argmax(logs)))
-            for landmark, covariance in zip(state.landmarks, state.covariances):
-                mean, wanted = best.landmarks[int(landmark["identity"])]
-                self.close([landmark["x"], landmark["y"]], mean)
-                self.close(covariance, wanted)
+            self.compare(state, best.landmarks)
 
 
 if __name__ == "__main__":

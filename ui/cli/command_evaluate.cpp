@@ -183,6 +183,7 @@ void evaluate_relations(const EvaluateOptions& options, Report& report) {
 }
 
 void tell_crispness(Report& report, const std::string& before, const PathCrispness& crispness) {
+    if (crispness.cells_per_point == 0.0) return;  // no laser: nothing to draw
     report.figure(before + "cells_per_point", crispness.cells_per_point, 6);
     if (!crispness.grid_blur_m2) return;
     report.figure(before + "grid_blur_m2", *crispness.grid_blur_m2, 6);

@@ -53,6 +53,15 @@ void tell_laser(const Fan& fan, Report& report) {
                                 {"pose_robot_laser", {mounting.x, mounting.y, mounting.theta}}};
 }
 
+void tell_landmarks(const TourSummary& tour, Report& report) {
+    if (tour.sightings == 0) return;
+    report.say("landmarks: {} sightings, of {} with a name, and {} without\n", tour.sightings,
+               tour.identities.size(), tour.nameless);
+    report.object()["landmarks"] = {{"sightings", tour.sightings},
+                                    {"identities", tour.identities.size()},
+                                    {"nameless", tour.nameless}};
+}
+
 void tell_first_lines(const SourceInspection& found, Report& report) {
     report.say("{}:\n", found.topics.empty() ? "it begins with" : "its topics and their messages");
     report.object()["first_lines"] = nlohmann::ordered_json::array();
@@ -94,7 +103,8 @@ void tell(const std::string& source, const SourceInspection& found, Report& repo
                        {"first_stamp_s", tour.first_stamp_s},
                        {"duration_s", tour.duration_s},
                        {"odometry_distance_m", tour.distance_m}};
-    tell_laser(tour.fan, report);
+    if (tour.points > 0 || tour.sightings == 0) tell_laser(tour.fan, report);
+    tell_landmarks(tour, report);
     report.say("{}", damage_text(tour.report));
     if (tour.report.scans == 0) report.warn("not one scan that can be read");
     report.object()["log"] = parsed_object(to_json(tour.report));

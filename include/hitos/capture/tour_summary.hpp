@@ -1,8 +1,10 @@
 // Reads a whole tour once and says what it holds.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,10 @@ struct TourSummary {
     double duration_s = 0.0;            ///< from the earliest stamp to the latest
     double distance_m = 0.0;            ///< length of the odometry's path
     Fan fan;                            ///< of the first scan
+    std::uint64_t points = 0;           ///< of a laser
+    std::uint64_t sightings = 0;        ///< of landmarks that a sensor told by themselves
+    std::uint64_t nameless = 0;         ///< of these, without an identity
+    std::set<std::int32_t> identities;  ///< of the others
     bool complete = true;               ///< false where the caller stopped the reading
     std::vector<TourFinding> findings;  ///< what there is to doubt, of a complete one
 };

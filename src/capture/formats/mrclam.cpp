@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -63,7 +64,11 @@ Subjects read_subjects(const fs::path& path) {
         Fields fields(line, ++number);
         if (fields.at_end() || fields.peek().starts_with('#')) continue;
         try {
+            const std::string_view word = fields.peek();
             const std::int64_t subject = fields.integer("subject");
+            if (subject < 1 || subject > std::numeric_limits<std::int32_t>::max()) {
+                fields.fail("subject", word, HITOS_TEXT("Errors", "a whole number from 1"));
+            }
             subjects[fields.integer("barcode")] = subject;
             fields.expect_end("barcode");
         } catch (const FormatError& error) {
@@ -106,12 +111,17 @@ std::optional<Scan> ConversorMrclam::scan(const RawLine& line) {
     fields.expect_end("bearing");
     if (subject->second <= kRobots) return std::nullopt;  // it drives about
     if (options_.max_range_m > 0.0 && seen.range_m >= options_.max_range_m) return std::nullopt;
+    if (seen.range_m < options_.min_range_m) return std::nullopt;
     seen.identity = static_cast<std::int32_t>(subject->second);
     std::optional<Scan> whole;
     if (!scan_ || scan_->time_s != time_s) {
         whole = std::exchange(scan_, Scan());
         scan_->time_s = time_s;
         scan_->line = line.number;
+        if (laser_pose_) {
+            scan_->fan.pose_robot_laser = laser_pose_->pose_robot_laser;
+            scan_->fan.upside_down = laser_pose_->upside_down;
+        }
     }
     scan_->landmarks.push_back(laser_pose_ ? laser_pose_->mounted(seen) : seen);
     return whole;

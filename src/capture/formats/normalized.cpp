@@ -108,7 +108,7 @@ void ConversorNormalized::read_landmarks(Fields& fields, Scan& scan) const {
         seen.range_m = options_.range_scale * fields.number("range");
         if (seen.range_m < 0.0) fields.fail("range", range, HITOS_TEXT("Errors", "no less than 0"));
         seen.bearing_rad = fields.number("bearing");
-        if (too_far(seen.range_m)) continue;
+        if (seen.range_m < options_.min_range_m || too_far(seen.range_m)) continue;
         scan.landmarks.push_back(laser_pose_ ? laser_pose_->mounted(seen) : seen);
     }
     fields.expect_end(HITOS_TEXT("Errors", "the landmarks that n announces"));

@@ -3,10 +3,13 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <variant>
 #include <vector>
 
+#include "hitos/services/evaluation/measures.hpp"
 #include "hitos/slam/slam_filter.hpp"
+#include "nearest_landmark.hpp"
 
 namespace hitos {
 namespace {
@@ -47,18 +50,6 @@ void shift(ICaracteristica& landmark, const Eigen::Vector2d& by) {
     line.theta += by.y();
 }
 
-const ICaracteristica* nearest(const LandmarkMap& reference, const ICaracteristica& landmark) {
-    const ICaracteristica* best = nullptr;
-    for (const ICaracteristica& one : reference) {
-        if (one.kind() != landmark.kind()) continue;
-        if (best == nullptr ||
-            distance(one.point(), landmark.point()) < distance(best->point(), landmark.point())) {
-            best = &one;
-        }
-    }
-    return best;
-}
-
 }  // namespace
 
 LandmarkMap mixed_map(const SlamFilter& filter) {
@@ -69,14 +60,17 @@ LandmarkMap mixed_map(const SlamFilter& filter) {
     std::vector<Eigen::Vector2d> means(best.size(), Eigen::Vector2d::Zero());
     std::vector<Eigen::Matrix2d> squares(best.size(), Eigen::Matrix2d::Zero());
     std::vector<double> weights(best.size(), 0.0);
+    const NearestLandmark here(best);
     for (std::size_t h = 0; h < hypotheses.size(); ++h) {
         const double weight = hypotheses[h].weight;
         if (weight <= 0.0) continue;
         const LandmarkMap map = filter.map(h);
+        const NearestLandmark there(map);
+        const bool identities = have_identities(map, best);
         for (std::size_t i = 0; i < best.size(); ++i) {
-            const ICaracteristica* near = nearest(map, best[i]);
-            if (near == nullptr || nearest(best, *near) != &best[i]) continue;
-            const ICaracteristica one = written_as(*near, best[i]);
+            const std::optional<std::size_t> near = there.of(best[i], identities);
+            if (!near || here.of(map[*near], identities) != i) continue;
+            const ICaracteristica one = written_as(map[*near], best[i]);
             const Eigen::Vector2d away = error_of(one, best[i]);
             means[i] += weight * away;
             squares[i] += weight * (one.covariance + away * away.transpose());
@@ -108,13 +102,16 @@ void Coverage::add(double squared) {
 }
 
 void count_landmarks(Coverage& coverage, const LandmarkMap& map, const LandmarkMap& reference) {
+    const NearestLandmark nearest(reference);
+    const bool identities = have_identities(map, reference);
     for (const ICaracteristica& found : map) {
-        const ICaracteristica* truth = nearest(reference, found);
-        if (truth == nullptr) continue;
-        const ICaracteristica landmark = written_as(found, *truth);
+        const std::optional<std::size_t> place = nearest.of(found, identities);
+        if (!place) continue;
+        const ICaracteristica& truth = reference[*place];
+        const ICaracteristica landmark = written_as(found, truth);
         const Eigen::LLT<Eigen::Matrix2d> root(landmark.covariance);
         if (root.info() != Eigen::Success) continue;
-        const Eigen::Vector2d error = error_of(landmark, *truth);
+        const Eigen::Vector2d error = error_of(landmark, truth);
         const double squared = error.dot(root.solve(error));
         if (std::isfinite(squared)) coverage.add(squared);
     }

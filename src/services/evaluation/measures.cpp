@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "nearest_landmark.hpp"
 #include "stamp_pairs.hpp"
 
 namespace hitos {
@@ -26,23 +27,13 @@ bool same_pairs(std::span<const MapPair> a, std::span<const MapPair> b) {
     });
 }
 
-/// Where both maps say which landmarks they hold, those that do are of nothing else.
 std::vector<MapPair> nearest_pairs(const LandmarkMap& map, const LandmarkMap& reference) {
-    std::vector<Point2> points;
-    points.reserve(reference.size());
-    for (const ICaracteristica& landmark : reference) points.push_back(landmark.point());
+    const NearestLandmark nearest(reference);
     const bool identities = have_identities(map, reference);
     std::vector<MapPair> pairs;
     for (std::size_t i = 0; i < map.size(); ++i) {
-        const Point2 point = map[i].point();
-        std::optional<MapPair> best;
-        for (std::size_t j = 0; j < reference.size(); ++j) {
-            if (reference[j].kind() != map[i].kind()) continue;
-            if (identities && map[i].identity != reference[j].identity) continue;
-            const double away = distance(point, points[j]);
-            if (!best || away < best->distance_m) best = MapPair{i, j, away};
-        }
-        if (best) pairs.push_back(*best);
+        const std::optional<std::size_t> j = nearest.of(map[i], identities);
+        if (j) pairs.push_back({i, *j, distance(map[i].point(), reference[*j].point())});
     }
     return pairs;
 }
@@ -183,17 +174,22 @@ Pose rigid_alignment(const Eigen::MatrixXd& points, const Eigen::MatrixXd& partn
     return {motion(0, 2), motion(1, 2), wrap_angle(std::atan2(motion(1, 0), motion(0, 0)))};
 }
 
-/// That of the points of landmarks.
+/// That of the points of namesakes; none where there are none.
 Pose alignment_of(std::span<const MapPair> pairs, const LandmarkMap& map,
                   const LandmarkMap& reference) {
-    Eigen::MatrixXd points(2, pairs.size());
-    Eigen::MatrixXd partners(2, pairs.size());
-    Eigen::Index column = 0;
+    std::vector<std::pair<Point2, Point2>> named;
     for (const MapPair& pair : pairs) {
-        const Point2 own = map[pair.landmark].point();
-        const Point2 there = reference[pair.reference].point();
-        points.col(column) << own.x, own.y;
-        partners.col(column++) << there.x, there.y;
+        if (map[pair.landmark].identity < 0) continue;
+        named.emplace_back(map[pair.landmark].point(), reference[pair.reference].point());
+    }
+    if (named.empty()) return {};
+    const auto count = static_cast<Eigen::Index>(named.size());
+    Eigen::MatrixXd points(2, count);
+    Eigen::MatrixXd partners(2, count);
+    for (Eigen::Index k = 0; k < count; ++k) {
+        const auto& [own, there] = named[static_cast<std::size_t>(k)];
+        points.col(k) << own.x, own.y;
+        partners.col(k) << there.x, there.y;
     }
     return rigid_alignment(points, partners);
 }
@@ -216,7 +212,8 @@ std::optional<AlignedMapError> aligned_map_error(const LandmarkMap& map,
     std::vector<MapPair> pairs = nearest_pairs(map, reference);
     if (pairs.empty()) return std::nullopt;
     // Who says which landmark is which need not be near it to begin with.
-    Pose pose = have_identities(map, reference) ? alignment_of(pairs, map, reference) : Pose{};
+    Pose pose;
+    if (have_identities(map, reference)) pose = alignment_of(pairs, map, reference);
     for (int round = 0; round < kMostRounds; ++round) {
         pose = PairFit(map, reference, pairs).from(pose);
         std::vector<MapPair> next = nearest_pairs(moved(map, pose), reference);

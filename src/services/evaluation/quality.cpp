@@ -49,6 +49,7 @@ void measure_crispness(const RunEvidence& run, const Trajectory& path,
         best.add(*scan, path[i].pose);
         odometry.add(*scan, run.odometry[i].pose);
     }
+    if (best.cells_per_point() == 0.0) return;  // without points it says nothing
     quality.cells_per_point = best.cells_per_point();
     quality.odometry_cells_per_point = odometry.cells_per_point();
 }

@@ -88,11 +88,13 @@ std::optional<Advice> doubt_of_map(const LandmarkMap& map, const LandmarkMap& re
     std::size_t all = 0;  // of a kind that the reference has
     // Maps whose landmarks have names need not have their frame in common.
     Pose pose;
-    if (have_identities(map, reference)) {
+    const bool identities = have_identities(map, reference);
+    if (identities) {
         if (const auto aligned = aligned_map_error(map, reference))
             pose = aligned->pose_reference_map;
     }
     for (const ICaracteristica& landmark : map) {
+        if (identities && landmark.identity < 0) continue;
         const auto error = map_error({transform(pose, landmark)}, reference);
         if (!error) continue;
         ++all;

@@ -66,6 +66,13 @@ struct Seen {
     Point2 b;
 };
 
+/// Whether a landmark may be what was seen, by what is known of both.
+bool may_be(const Seen& seen, const ICaracteristica& landmark) {
+    const std::int32_t one = seen.feature.identity;
+    return landmark.kind() == seen.feature.kind() &&
+           (one < 0 || landmark.identity < 0 || one == landmark.identity);
+}
+
 /// d(x, y)/d(range, bearing) at the corner.
 Matrix2 by_range_and_bearing(const Esquina& corner) {
     const double range = std::max(std::hypot(corner.x, corner.y), 1e-3);
@@ -74,7 +81,8 @@ Matrix2 by_range_and_bearing(const Esquina& corner) {
     return j;
 }
 
-std::vector<Seen> seen_in(const Observation& observation, const ObservationParams& params) {
+std::vector<Seen> seen_in(const Observation& observation, const ObservationParams& params,
+                          bool identities) {
     const Matrix2 fixed = Vector2(params.var_rho_m2, params.var_theta_rad2).asDiagonal();
     std::vector<Seen> all;
     for (std::size_t i = 0; i < observation.lines.size(); ++i) {
@@ -93,6 +101,7 @@ std::vector<Seen> seen_in(const Observation& observation, const ObservationParam
         const Matrix2 j = by_range_and_bearing(corner);
         Seen& seen = all.emplace_back();
         seen.feature.value = corner;
+        if (identities) seen.feature.identity = observation.identity(i);
         seen.feature.covariance = i < observation.corner_covariances.size()
                                       ? observation.corner_covariances[i]
                                       : Matrix2(j * fixed * j.transpose());
@@ -171,8 +180,9 @@ class Sightings {
         for (const Seen& seen : all) {
             std::optional<std::size_t> best;
             Comparison to_best;
+            bool known = false;  // then nothing speaks against it
             for (std::size_t i = 0; i < map_.size(); ++i) {
-                if (map_[i].kind() != seen.feature.kind()) continue;
+                if (!may_be(seen, map_[i])) continue;
                 const auto one = std::visit(
                     [&](const auto& landmark) { return compared(landmark, map_[i], pose, seen); },
                     map_[i].value);
@@ -180,12 +190,15 @@ class Sightings {
                 if (one->distance2 < nearest_[i].first) {
                     nearest_[i] = {one->distance2, {scan, i, one->seen}};
                 }
-                if (one->distance2 < to_best.distance2) {
+                const bool named =
+                    seen.feature.identity >= 0 && map_[i].identity == seen.feature.identity;
+                if (named || (!known && one->distance2 < to_best.distance2)) {
                     best = i;
                     to_best = *one;
+                    known = known || named;
                 }
             }
-            if (!best || to_best.distance2 > kGate) continue;
+            if (!best || (!known && to_best.distance2 > kGate)) continue;
             sightings_.push_back({scan, *best, to_best.seen});
             found_[*best] = 1;
         }
@@ -287,7 +300,9 @@ PlanarGraph graph_of(const Algoritmo& run) {
         }
         extractor->go_to(i);
         extractor->extract(*scan, observation);
-        sightings.note(i, poses[i], seen_in(observation, configuration.filter.observation));
+        sightings.note(i, poses[i],
+                       seen_in(observation, configuration.filter.observation,
+                               configuration.filter.association.known));
     }
     if (run.registration() != nullptr) add_registration(*run.registration(), graph.edges);
     for (const GraphSighting& sighting : sightings.take()) {

@@ -62,8 +62,12 @@ std::vector<StatePart> parts_of(const RunState& state, const Grid& step_grid) {
     note("path as it was driven", state.online);
     note("odometry", state.odometry.trajectory());
     note("scan", state.scan.points);
+    for (const LandmarkSighting& one : state.scan.landmarks)
+        put(bytes, one.range_m, one.bearing_rad, one.identity);
+    end("landmarks told");
     note("lines seen", state.observation.lines);
     note("corners seen", state.observation.corners);
+    note("identities seen", state.observation.identities);
     for (const LineExtent& one : state.line_extents.of(map, path)) put(bytes, one.a, one.b);
     end("extents of lines");
     if (state.registration) {  // its grid is drawn when it is asked for

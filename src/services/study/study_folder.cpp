@@ -158,30 +158,52 @@ void install(const StudyLayout& staging, const StudyLayout& target) {
     for (const fs::path& path : {plan_file(staging), journal, staging.folder}) remove_whole(path);
 }
 
-/// Of an installation that cannot be finished: what it has put in place already goes back to where
-/// it waits; the tables are no others' than its own.
+/// The names of all that a study may have, whether it is there or not.
+std::set<std::string> names_of(const StudyLayout& layout) {
+    std::set<std::string> names = former_files(layout, true);
+    if (!is_file(plan_file(layout))) return names;
+    const StudyPlan plan = read_plan(layout);
+    for (std::size_t run = 0; run < plan.runs(); ++run) {
+        for (const fs::path& file : run_files(layout, plan, run))
+            names.insert(relative(file, layout));
+        names.insert(relative(record_file(layout, plan, run), layout));
+    }
+    return names;
+}
+
+/// Of an installation that cannot be finished: what has changed places goes back, the former
+/// study's files too; tables that are put in place are no others' than its own.
 void take_back(const StudyLayout& staging, const StudyLayout& target) {
+    const fs::path journal = staging.folder / kJournal;
     std::set<std::string> own;
     std::vector<WrittenFile> files;
     try {
-        const fs::path journal = staging.folder / kJournal;
         files = files_named(parsed<nlohmann::json>(input::read_text(journal), journal.string()),
                             journal, true);
-        own = former_files(target, true);
-    } catch (const std::exception&) {
+        own = names_of(target);
+    } catch (const FormatError&) {
         return;  // nobody knows what it has put there
+    } catch (const nlohmann::json::exception&) {
+        return;
     }
     FileExchange exchange(staging.folder, target.folder);
+    const std::string seal = relative(plan_file(target), target);
     for (const WrittenFile& file : files) {
-        const bool seal = file.name == relative(plan_file(target), target);
-        if (seal || !is_unchanged(file, target.folder)) continue;
-        if (is_of_run(target, file.name)) {
-            // One of the former study with the very same bytes never went anywhere.
-            const bool moved = !own.contains(file.name) || is_there(staging.folder / file.name);
+        const bool was_own = own.erase(file.name) > 0;
+        if (file.name == seal || !is_unchanged(file, target.folder)) continue;
+        if (was_own) {
+            // One with the very same bytes never went anywhere.
+            const bool moved = is_there(staging.folder / file.name);
             if (moved && !is_unchanged(file, staging.folder)) exchange.add(file.name);
-        } else if (!own.contains(file.name)) {
+        } else if (is_of_run(target, file.name)) {
+            exchange.add(file.name);
+        } else {
             remove_whole(target.folder / file.name);
         }
+    }
+    for (const std::string& name : own) {
+        const bool waits = is_there(staging.folder / name) && !is_there(target.folder / name);
+        if (waits && name != seal) exchange.add(name);
     }
     exchange.flush();
     exchange.keep();

@@ -21,6 +21,10 @@ Scan limited(const Scan& scan, double min_range_m, double max_range_m) {
     const Pose& laser = scan.fan.pose_robot_laser;
     Scan kept = scan;
     kept.fan.max_range_m = std::min(scan.fan.max_range_m, max_range_m);
+    std::erase_if(kept.landmarks, [&](const LandmarkSighting& seen) {
+        const double range = distance(seen.point(), {laser.x, laser.y});
+        return !(range > min_range_m && range < max_range_m);
+    });
     kept.points.clear();
     kept.rays.clear();
     kept.times_s.clear();

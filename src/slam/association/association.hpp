@@ -142,8 +142,8 @@ class Associator {
     }
 
     /// Calls body(landmark, Likelihood) for every landmark above p0 or inside the gate; of an
-    /// observation that says which landmark it is, for that one, wherever it lies. What watches
-    /// sees all the others too.
+    /// observation that says which landmark it is, for that one, wherever it lies, and where there
+    /// is none for those that nobody has named. What watches sees all the others too.
     template <Sensor S, class Body, class Watch = Unwatched>
     void for_each_candidate(const typename S::Columns& landmarks, const Pose& pose,
                             const PreparedObservation& observed, const Body& body,
@@ -217,9 +217,11 @@ void Associator::for_each_candidate(const typename S::Columns& landmarks, const 
     const LaneObservation seen = lane_of(observed.seen.measured);
     const std::int32_t identity = observed.seen.measured.identity;
     const auto compare = [&](std::uint32_t i, bool far) {
-        const bool known = identity != kNameless;
+        const std::int32_t its = identity == kNameless ? kNameless : landmarks.record(i).identity;
+        const bool known = identity != kNameless && its == identity;
         const bool elsewhere =
-            !far && !known && !beside<S>(landmarks, i, pose, observed.seen.reach);
+            !far && !known &&
+            (!may_be_one(identity, its) || !beside<S>(landmarks, i, pose, observed.seen.reach));
         if (!Watch::kWatches && elsewhere) return;
         const LaneInnovation innovation = S::innovation(landmarks.lane(i), from, seen);
         const Likelihood close = likelihood_of(innovation);
@@ -234,8 +236,10 @@ void Associator::for_each_candidate(const typename S::Columns& landmarks, const 
         if (!no) body(i, close);
     };
     if (identity != kNameless) {
-        if (const auto landmark = landmarks.identified(identity)) compare(*landmark, false);
-        return;
+        if (const auto landmark = landmarks.identified(identity)) {
+            compare(*landmark, false);
+            return;
+        }
     }
     if constexpr (Watch::kWatches) {
         std::uint32_t next = 0;
@@ -310,8 +314,11 @@ Decision Associator::decide(const typename S::Columns& landmarks, const Pose& po
         watch);
     if (candidates.none() || !rule_.ambiguous(candidates, log_p0_)) {
         Decision decision = resolve(candidates);
-        const bool known = observed.seen.measured.identity != kNameless;
-        if (known && !candidates.none()) decision.reason = Association::Reason::known;
+        const std::int32_t identity = observed.seen.measured.identity;
+        if (identity != kNameless && !candidates.none() &&
+            landmarks.record(candidates.best()).identity == identity) {
+            decision.reason = Association::Reason::known;
+        }
         return decision;
     }
     if (params_.segments && S::kKind == FeatureKind::line &&

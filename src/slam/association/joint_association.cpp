@@ -5,6 +5,7 @@ namespace hitos {
 void JointAssociation::begin(double probability) {
     search_.begin(probability);
     logs_.clear();
+    known_.clear();
 }
 
 bool JointAssociation::decide(const Associator& associator, std::span<Decision> decisions) {
@@ -23,6 +24,7 @@ bool JointAssociation::decide(const Associator& associator, std::span<Decision> 
                            ? associator.fits_none()
                            : associator.kept_out(best_log, Association::Reason::left_over);
     }
+    for (const auto& [i, decision] : known_) decisions[i] = decision;
     return whole;
 }
 

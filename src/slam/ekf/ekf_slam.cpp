@@ -76,7 +76,6 @@ void EkfSlam::add_new() {
                           S::inverse_pose_jacobian(pose, seen.z), by_z * seen.r * by_z.transpose());
         association.landmark = static_cast<std::int32_t>(marks<S>().size());
         marks<S>().push_back({at});
-        marks<S>().back().record.identity = seen.identity;
     }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -78,6 +79,9 @@ class EkfSlam final : public SlamFilter {
     /// feature. Returns the least squared distance, or anything beyond the gates.
     template <Sensor S, class Body>
     double compare(const Measurement& measured, Recorded recorded, const Body& body);
+    /// The landmark of that identity; nothing where there is none.
+    template <Sensor S>
+    std::optional<std::size_t> identified(std::int32_t identity) const;
     /// Whether an observation is of no landmark; `nearest` is its least squared distance.
     template <Sensor S>
     bool is_new(double nearest) const;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "ekf_slam.hpp"
 
@@ -47,6 +49,7 @@ double EkfSlam::compare(const Measurement& measured, Recorded recorded, const Bo
     const Pose pose = state_.pose();
     const Matrix3 pose_covariance = state_.pose_covariance();
     double nearest = kNever;
+    const bool is_known = identified<S>(measured.identity).has_value();
     const auto compare_with = [&](std::size_t i) {
         const Eigen::Index at = marks<S>()[i].at;
         const JointInnovation seen =
@@ -60,8 +63,7 @@ double EkfSlam::compare(const Measurement& measured, Recorded recorded, const Bo
             measured.r;
         const Likelihood close = compared(seen.nu, s);
         if (recorded != nullptr) {
-            const bool inside = measured.identity != kNameless ||
-                                close.mahalanobis_squared <= rule_.gate();
+            const bool inside = is_known || close.mahalanobis_squared <= rule_.gate();
             recorded->back().compared.push_back({static_cast<std::int32_t>(i), seen.nu,
                                                  close.mahalanobis_squared, close.log_likelihood,
                                                  inside ? Standing::candidate : Standing::outside});
@@ -71,30 +73,38 @@ double EkfSlam::compare(const Measurement& measured, Recorded recorded, const Bo
              JointState::Row{at, seen.nu, seen.by_pose, seen.by_landmark, measured.r}, close);
     };
     if (recorded != nullptr) recorded->emplace_back();
-    if (measured.identity != kNameless) {
-        const auto known = std::ranges::find(marks<S>(), measured.identity,
-                                             [](const Mark& mark) { return mark.record.identity; });
-        if (known == marks<S>().end()) return std::numeric_limits<double>::max();
-        compare_with(static_cast<std::size_t>(known - marks<S>().begin()));
-        return nearest;
-    }
-    if (recorded != nullptr) {
-        for (std::size_t i = 0; i < marks<S>().size(); ++i) compare_with(i);
+    if (const auto known = identified<S>(measured.identity)) {
+        compare_with(*known);
         return nearest;
     }
     std::size_t compared_with = 0;
-    sieve<S>().for_each_near(measured, [&](std::size_t i) {
+    const auto compare_if_it_may_be = [&](std::size_t i) {
+        if (!may_be_one(measured.identity, marks<S>()[i].record.identity)) return;
         ++compared_with;
         compare_with(i);
-    });
+    };
+    if (recorded != nullptr) {
+        for (std::size_t i = 0; i < marks<S>().size(); ++i) compare_if_it_may_be(i);
+    } else {
+        sieve<S>().for_each_near(measured, compare_if_it_may_be);
+    }
     // The others are outside both gates, how far does not matter.
     const bool all = compared_with == marks<S>().size();
     return all ? nearest : std::min(nearest, std::numeric_limits<double>::max());
 }
 
 template <Sensor S>
+std::optional<std::size_t> EkfSlam::identified(std::int32_t identity) const {
+    if (identity == kNameless) return std::nullopt;
+    for (std::size_t i = 0; i < marks<S>().size(); ++i) {
+        if (marks<S>()[i].record.identity == identity) return i;
+    }
+    return std::nullopt;
+}
+
+template <Sensor S>
 void EkfSlam::associate(const Measurement& measured, std::uint32_t observed, Recorded recorded) {
-    const bool known = measured.identity != kNameless;  // then no gate is asked
+    const bool known = identified<S>(measured.identity).has_value();  // then no gate is asked
     BestTwo inside;  // of the landmarks whose gate it lies in, by distance
     JointState::Row row;
     const double nearest =
@@ -141,14 +151,21 @@ void EkfSlam::associate_together(Recorded recorded) {
         std::uint32_t observed = 0;
         for (const Measurement& measured : measurements_.of<S>()) {
             search_.add_observation();
-            if (measured.identity != kNameless) {
+            if (identified<S>(measured.identity)) {
                 associate<S>(measured, observed++, recorded);
                 continue;
             }
+            const auto taken = [&](std::int32_t named) {
+                return named != kNameless &&
+                       std::ranges::any_of(measurements_.of<S>(), [&](const Measurement& other) {
+                           return other.identity == named;
+                       });
+            };
             const double nearest = compare<S>(
                 measured, recorded,
                 [&](std::uint32_t i, const JointState::Row& row, const Likelihood& close) {
                     if (close.mahalanobis_squared > rule_.gate()) return;
+                    if (taken(marks<S>()[i].record.identity)) return;
                     search_.add({static_cast<std::uint64_t>(row.at), close.mahalanobis_squared,
                                  static_cast<std::uint32_t>(found_.size())});
                     found_.push_back({i, close.log_likelihood});

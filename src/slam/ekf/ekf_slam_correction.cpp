@@ -133,6 +133,8 @@ void EkfSlam::note_seen(Association& association) {
     if (mark.record.observations > 0) {
         association.unseen = static_cast<std::uint32_t>(steps()) - mark.record.last_seen;
     }
+    if (mark.record.identity == kNameless)
+        mark.record.identity = measurements_.of<S>()[association.observed].identity;
     mark.record.last_seen = static_cast<std::uint32_t>(steps());
     if (++mark.record.observations == 1) mark.record.first_seen = mark.record.last_seen;
 }

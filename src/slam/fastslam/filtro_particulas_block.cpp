@@ -85,7 +85,11 @@ void FiltroParticulas::exclude(std::span<Decision> decisions) const {
                 continue;
             }
             if (params_.association.segments && parted<S>(seen[i], seen[j])) continue;
-            Decision& loser = b.log_likelihood > a.log_likelihood ? a : b;
+            const bool known_a = a.reason == Association::Reason::known;
+            const bool known_b = b.reason == Association::Reason::known;
+            if (known_a && known_b) continue;
+            const bool a_loses = known_a == known_b ? b.log_likelihood > a.log_likelihood : known_b;
+            Decision& loser = a_loses ? a : b;
             loser = associator_.kept_out(loser.log_likelihood, Association::Reason::taken);
         }
     }
@@ -102,7 +106,8 @@ void FiltroParticulas::associate_together(std::size_t place, std::span<Decision>
         const auto landmarks = landmarks_of<S>(place);
         std::size_t next = seen_.first<S>();
         for (const SeenFeature& seen : seen_.of<S>()) {
-            joint.add<S>(associator_, landmarks, pose, prepare(seen, pose), watch.feature(next++));
+            joint.add<S>(associator_, landmarks, pose, prepare(seen, pose), seen_.of<S>(),
+                         watch.feature(next++));
         }
     });
     if (!joint.decide(associator_, decisions)) ++searches_cut_;
@@ -245,7 +250,9 @@ void FiltroParticulas::update_block(const Block& block, std::size_t observation,
         auto& leaf = landmarks.own_leaf_of(decision.landmark);
         batch.load(count, leaf.values.data() + decision.landmark % S::Columns::kLeaf,
                    particles_[i].pose);
-        note_seen(leaf.records[decision.landmark % S::Columns::kLeaf], decision);
+        LandmarkRecord& record = leaf.records[decision.landmark % S::Columns::kLeaf];
+        note_seen(record, decision);
+        if (record.identity == kNameless) record.identity = seen.measured.identity;
         leaves.at(count) = &leaf;
         whose.at(count++) = static_cast<std::uint32_t>(i);
     }

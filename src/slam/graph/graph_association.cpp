@@ -78,7 +78,7 @@ std::span<const std::uint32_t> GraphAssociation::compared(const LandmarkGraph& g
     if (identity == kNameless) return window.reachable();
     known_.clear();
     const auto landmark = std::ranges::find(graph.landmarks(), identity, &GraphLandmark::identity);
-    if (landmark == graph.landmarks().end()) return known_;
+    if (landmark == graph.landmarks().end()) return window.reachable();
     known_.push_back(static_cast<std::uint32_t>(landmark - graph.landmarks().begin()));
     closes_ = closes_ || !std::ranges::binary_search(window.reachable(), known_.front());
     return known_;
@@ -91,10 +91,12 @@ void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& windo
     BestTwo inside;  // of the landmarks whose gate it lies in, by distance
     inside_.clear();
     double nearest = std::numeric_limits<double>::infinity();
-    const bool known = feature.measured.identity != kNameless;  // then nothing speaks against it
+    const std::int32_t identity = feature.measured.identity;
+    bool known = false;  // then nothing speaks against it
     for (const std::uint32_t i : compared(graph, window, feature)) {
         const GraphLandmark& landmark = graph.landmarks()[i];
-        if (landmark.kind != S::kKind) continue;
+        if (landmark.kind != S::kKind || !may_be_one(identity, landmark.identity)) continue;
+        known = identity != kNameless && landmark.identity == identity;
         double shared_m = 0.0;
         double seen_m = 0.0;
         if constexpr (S::kKind == FeatureKind::line) {

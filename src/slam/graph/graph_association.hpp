@@ -67,8 +67,8 @@ class GraphAssociation {
     template <Sensor S>
     void find(const LandmarkGraph& graph, const GraphWindow& window, const BelievedPose& believed,
               FoundFeature& feature, std::vector<RecordedFeature>* recorded);
-    /// The landmarks that a feature is compared with: those that can be reached, or the one that it
-    /// says itself.
+    /// The landmarks that a feature is compared with: the one that it says itself, where there is
+    /// one, else those that can be reached.
     std::span<const std::uint32_t> compared(const LandmarkGraph& graph, const GraphWindow& window,
                                             const FoundFeature& feature);
     void note_bridges(const LandmarkGraph& graph, const BestTwo& inside);

@@ -47,7 +47,7 @@ PlaceDifference difference(const GraphLandmark& a, const GraphLandmark& b) {
 }
 
 bool may_be_one(const GraphLandmark& a, const GraphLandmark& b) {
-    if (a.kind != b.kind || !may_be_one(a.identity, b.identity)) return false;
+    if (a.kind != b.kind) return false;
     if (a.kind != FeatureKind::line) {
         return std::hypot(b.place.point.x - a.place.point.x, b.place.point.y - a.place.point.y) <
                kNearCorner;

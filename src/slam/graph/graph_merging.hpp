@@ -40,16 +40,22 @@ std::optional<std::vector<std::uint32_t>> find_duplicates(const LandmarkGraph& g
                                                           const Covariance& covariance) {
     const std::vector<GraphLandmark>& landmarks = graph.landmarks();
     std::vector<std::uint32_t> leader(landmarks.size());
+    std::vector<std::int32_t> identity(landmarks.size());  // of a leader and those that joined it
     bool any = false;
     for (std::uint32_t b = 0; b < landmarks.size(); ++b) {
         leader[b] = b;
+        identity[b] = landmarks[b].identity;
         for (std::uint32_t a = 0; a < b && leader[b] == b; ++a) {
-            if (leader[a] != a || !may_be_one(landmarks[a], landmarks[b])) continue;
+            if (leader[a] != a || !may_be_one(identity[a], landmarks[b].identity) ||
+                !may_be_one(landmarks[a], landmarks[b])) {
+                continue;
+            }
             const PlaceDifference apart = difference(landmarks[a], landmarks[b]);
             if (is_plain(apart, landmarks[a].kind)) continue;  // spares the covariance
             if (is_none(apart, covariance(a, apart.by_first, b, apart.by_second), landmarks[a].kind,
                         gate)) {
                 leader[b] = a;
+                identity[a] = std::max(identity[a], identity[b]);
                 any = true;
             }
         }

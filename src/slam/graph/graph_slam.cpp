@@ -132,7 +132,8 @@ void GraphSlam::add_sightings() {
         if (landmark < 0) continue;
         graph_.add({key, static_cast<std::uint32_t>(landmark), feature.measured.z,
                     feature.measured.r.inverse(), feature.low, feature.high,
-                    feature.reason == Association::Reason::known});
+                    feature.measured.identity != kNameless});
+        graph_.name(static_cast<std::uint32_t>(landmark), feature.measured.identity);
     }
 }
 

@@ -31,6 +31,10 @@ class LandmarkGraph {
     void add_edges(std::span<const PoseEdge> edges);
     void replace_edges(std::span<const PoseEdge> edges);
     /// A landmark without sightings. Returns its index.
+    /// Says which landmark it is, where nobody has.
+    void name(std::uint32_t landmark, std::int32_t identity) {
+        if (landmarks_[landmark].identity == kNameless) landmarks_[landmark].identity = identity;
+    }
     std::uint32_t add_landmark(FeatureKind kind, const LandmarkPlace& place,
                                std::int32_t identity = kNameless);
     void add(const Sighting& sighting);

@@ -101,6 +101,27 @@ TEST_P(KnownLandmarks, ANamelessSightingIsOfWhateverLiesThere) {
     EXPECT_EQ(filter->best_map()[static_cast<std::size_t>(last.landmark)].identity, 6);
 }
 
+TEST_P(KnownLandmarks, ANamelessOneTakesTheNameThatItIsToldLater) {
+    const auto filter =
+        fed({{{{3.0, 0.0}}, {{0.0, 3.0}, 6}}, {{{3.01, 0.0}, 5}}, {{{3.0, 2.5}, 5}}});
+    EXPECT_EQ(identities(*filter), (std::vector{5, 6}));
+    EXPECT_EQ(filter->associations()[0].reason, Association::Reason::known);
+    for (const ICaracteristica& landmark : filter->best_map())
+        EXPECT_EQ(landmark.observations, landmark.identity == 5 ? 3 : 1);
+}
+
+TEST_P(KnownLandmarks, AreNotTakenByANamelessSightingOfTheSameScan) {
+    params_.association.exclusive = true;  // as joint compatibility is by itself
+    const auto filter = fed({{{{3.0, 0.0}, 5}}, {{{3.6, 0.6}, 5}, {{3.0, 0.0}}}});
+    ASSERT_EQ(filter->associations().size(), 2U);
+    const Association& known = filter->associations()[0];
+    EXPECT_EQ(known.outcome, Association::Outcome::matched);
+    EXPECT_EQ(known.reason, Association::Reason::known);
+    const bool one_each = params_.algorithm == "fastslam" ||
+                          params_.association.method == AssociationMethod::joint_compatibility;
+    if (one_each) EXPECT_NE(filter->associations()[1].outcome, Association::Outcome::matched);
+}
+
 TEST_P(KnownLandmarks, WhatIsRecordedIsWhatWasDone) {
     auto filter = make_filter(params_, 1, 1);
     SimRegistration registration({}, 1);

@@ -47,6 +47,12 @@ std::pair<double, double> FeatureModel::values(int row) const {
     return {std::hypot(corner.x, corner.y), std::atan2(corner.y, corner.x)};
 }
 
+/// That the sensor told; -1 of all others.
+std::int32_t FeatureModel::identity(const Association& association) const {
+    if (association.kind == FeatureKind::line) return -1;
+    return snapshot_->observation.identity(association.observed);
+}
+
 QVariant FeatureModel::key(int row, int column) const {
     const Association& association = associations_[static_cast<std::size_t>(row)];
     switch (column) {
@@ -59,7 +65,7 @@ QVariant FeatureModel::key(int row, int column) const {
         case second:
             return values(row).second;
         default:
-            return outcome_words(association);
+            return outcome_words(association, snapshot_->best_map);
     }
 }
 
@@ -69,13 +75,15 @@ QString FeatureModel::text(int row, int column) const {
         case number:
             return QString::number(row + 1);
         case kind:
+            if (const std::int32_t named = identity(association); named >= 0)
+                return tr("Landmark %1").arg(named);
             return kind_words(association.kind);
         case first:
             return metre_words(values(row).first);
         case second:
             return degree_words(values(row).second);
         default:
-            return outcome_words(association);
+            return outcome_words(association, snapshot_->best_map);
     }
 }
 
@@ -282,7 +290,8 @@ void AssociationInspector::show_feature() {
     }
     const auto row = static_cast<std::size_t>(chosen_);
     const Association& association = feature_model_->associations()[row];
-    QStringList lines{outcome_words(association) + ". " + reason_words(association.reason)};
+    const QString outcome = feature_model_->index(chosen_, FeatureModel::outcome).data().toString();
+    QStringList lines{outcome + ". " + reason_words(association.reason)};
     const std::vector<RecordedFeature>* features = recorded();
     if (features == nullptr || row >= features->size()) {
         candidate_model_->set_feature(nullptr);

@@ -37,6 +37,7 @@ class FeatureModel final : public FiguresModel {
 
   private:
     std::pair<double, double> values(int row) const;
+    std::int32_t identity(const Association& association) const;
 
     std::shared_ptr<const Snapshot> snapshot_;
     std::vector<Association> associations_;

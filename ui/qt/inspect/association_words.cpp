@@ -1,6 +1,9 @@
 #include "association_words.hpp"
 
 #include <QCoreApplication>
+#include <algorithm>
+
+#include "views/landmark_painter.hpp"
 
 namespace hitos::window {
 namespace {
@@ -11,15 +14,19 @@ QString words(const char* text) {
 
 }  // namespace
 
-QString outcome_words(const Association& association) {
+QString outcome_words(const Association& association, const LandmarkMap& map) {
     const int landmark = association.landmark + 1;
+    const auto place = static_cast<std::size_t>(std::max(association.landmark, 0));
+    const bool named = landmark > 0 && place < map.size() && map[place].identity >= 0;
+    const QString called =
+        named ? name_of(map[place], association.landmark) : QString::number(landmark);
     switch (association.outcome) {
         case Association::Outcome::matched:
             return landmark > 0
-                       ? words(QT_TRANSLATE_NOOP("Associations", "Matched with %1")).arg(landmark)
+                       ? words(QT_TRANSLATE_NOOP("Associations", "Matched with %1")).arg(called)
                        : words(QT_TRANSLATE_NOOP("Associations", "Matched, on probation"));
         case Association::Outcome::created:
-            return landmark > 0 ? words(QT_TRANSLATE_NOOP("Associations", "New: %1")).arg(landmark)
+            return landmark > 0 ? words(QT_TRANSLATE_NOOP("Associations", "New: %1")).arg(called)
                                 : words(QT_TRANSLATE_NOOP("Associations", "New, on probation"));
         default:
             return words(QT_TRANSLATE_NOOP("Associations", "Ignored"));

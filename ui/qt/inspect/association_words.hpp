@@ -7,8 +7,9 @@
 
 namespace hitos::window {
 
-/// "Matched with landmark 5", "New landmark 7", "Ignored".
-QString outcome_words(const Association& association);
+/// "Matched with 5", "New: 7", "Ignored"; landmarks of the map by their places, from 1, or by their
+/// identities.
+QString outcome_words(const Association& association, const LandmarkMap& map);
 /// A sentence.
 QString reason_words(Association::Reason reason);
 QString standing_words(Standing standing);

@@ -87,7 +87,7 @@ QString LandmarkModel::text(int row, int column) const {
         case number:
             return QString::number(row + 1);
         case kind:
-            if (landmark.identity >= 0) return tr("Landmark %1").arg(landmark.identity);
+            if (landmark.identity >= 0) return name_of(landmark, row);
             return is_line(landmark) ? tr("Line") : tr("Corner");
         case first:
             return metre_words(values_of(landmark).first);

@@ -3215,6 +3215,10 @@
         <source>Observed %1 times</source>
         <translation>Observaciones: %1</translation>
     </message>
+    <message>
+        <source>Landmark %1</source>
+        <translation type="unfinished">Hito %1</translation>
+    </message>
 </context>
 <context>
     <name>Language</name>
@@ -6094,6 +6098,10 @@
         <source>Outcome</source>
         <translation>Resultado</translation>
     </message>
+    <message>
+        <source>Landmark %1</source>
+        <translation type="unfinished">Hito %1</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::FileMenus</name>
@@ -6371,10 +6379,6 @@
     <message>
         <source>Corner</source>
         <translation>Esquina</translation>
-    </message>
-    <message>
-        <source>Landmark %1</source>
-        <translation>Hito %1</translation>
     </message>
 </context>
 <context>

@@ -172,6 +172,12 @@ void draw_path(QPainter& painter, const Scene& scene, const std::vector<QPointF>
     painter.drawPolyline(pixels);
 }
 
+std::vector<Point2> shown_points(const Scan& scan) {
+    std::vector<Point2> points = scan.points;
+    for (const LandmarkSighting& seen : scan.landmarks) points.push_back(seen.point());
+    return points;
+}
+
 void draw_cross(QPainter& painter, const QPointF& pixel, const QColor& colour) {
     constexpr double kArm = 9.0;
     constexpr double kGap = 3.0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "canvas_view.hpp"
+#include "hitos/capture/scan.hpp"
 #include "hitos/services/files/trajectory_file.hpp"
 
 namespace hitos::window {
@@ -32,6 +33,9 @@ void draw_pose_uncertainty(QPainter& painter, const Scene& scene, const Pose& me
 void draw_path(QPainter& painter, const Scene& scene, const std::vector<QPointF>& path_m,
                const QPen& pen);
 /// A small cross, as gun sights have it.
+/// What a scan shows, robot frame: points that a laser hit, and landmarks that a sensor told.
+std::vector<Point2> shown_points(const Scan& scan);
+
 void draw_cross(QPainter& painter, const QPointF& pixel, const QColor& colour);
 void draw_disc(QPainter& painter, const QPointF& pixel, double radius, const QColor& colour);
 

@@ -192,7 +192,17 @@ void GridView::set_other_content(const QRectF& box) {
 QRectF GridView::content() const {
     QRectF box = layer_.bounds().united(other_content_);
     for (const RunTrace& trace : traces_) box = box.united(box_of(trace.path));
-    return box;
+    if (!only_landmarks()) return box;
+    constexpr double kAround = 0.5;  // [m]
+    for (const ICaracteristica& landmark : landmarks_.map) {
+        const Point2 at = landmark.point();
+        box = box.united(QRectF(at.x - kAround, at.y - kAround, 2.0 * kAround, 2.0 * kAround));
+    }
+    return box.united(box_of(path_));
+}
+
+bool GridView::only_landmarks() const {
+    return tiles_.empty() && !landmarks_.map.empty();
 }
 
 LayerSet GridView::drawable() const {
@@ -201,7 +211,7 @@ LayerSet GridView::drawable() const {
     layers.set(Layer::reference, reference_map_ || !reference_path_.empty());
     const bool traced = std::ranges::any_of(
         traces_, [](const RunTrace& trace) { return !trace.landmarks.map.empty(); });
-    const bool landmarks = traced || (!snapshot_ && !landmarks_.map.empty());
+    const bool landmarks = traced || only_landmarks() || (!snapshot_ && !landmarks_.map.empty());
     for (const Layer layer : {Layer::landmarks, Layer::endless, Layer::names}) {
         layers.set(layer, landmarks);
     }
@@ -255,7 +265,8 @@ void GridView::paint_scene(QPainter& painter, const Scene& scene) const {
         if (snapshot_->particle) draw_particle(painter, paper, *snapshot_->particle, {});
     }
     if (layers().has(Layer::graph)) paint_graph(painter, scene);
-    if (!snapshot_ && layers().has(Layer::landmarks)) paint_landmarks(painter, scene);
+    if ((!snapshot_ || only_landmarks()) && layers().has(Layer::landmarks))
+        paint_landmarks(painter, scene);
     paint_traces(painter, scene);
     paint_loop(painter, scene);
     paint_marks(painter, scene);

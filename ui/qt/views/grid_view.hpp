@@ -74,6 +74,8 @@ class GridView final : public CanvasView {
     QString empty_text() const override;
 
   private:
+    /// Whether there is no grid but landmarks, as of a tour without a laser.
+    bool only_landmarks() const;
     void paint_traces(QPainter& painter, const Scene& scene) const;
     void paint_reference(QPainter& painter, const Scene& scene) const;
     void paint_graph(QPainter& painter, const Scene& scene) const;

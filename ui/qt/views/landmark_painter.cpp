@@ -94,10 +94,10 @@ struct Painter {
             {at + QPointF(0, -r), at + QPointF(r, 0), at + QPointF(0, r), at + QPointF(-r, 0)}});
     }
 
-    void number(const QPointF& place_m, int index) const {
+    void number(const QPointF& place_m, int number) const {
         painter.setPen(scene.colours.landmark);
         painter.drawText(scene.to_screen.map(place_m) + QPointF(7.0, -5.0),
-                         QString::number(index + 1));
+                         QString::number(number));
     }
 };
 
@@ -135,13 +135,17 @@ void draw_landmarks(QPainter& painter, const Scene& scene, const MarkedMap& mark
         const ICaracteristica& landmark = marked.map[i];
         if (const auto* corner = std::get_if<Esquina>(&landmark.value)) {
             draw.corner(*corner, landmark.covariance, false);
-            if (style.numbers) draw.number(QPointF(corner->x, corner->y), static_cast<int>(i));
+            const bool named = landmark.identity >= 0;
+            if (style.numbers || named) {
+                draw.number(QPointF(corner->x, corner->y),
+                            named ? landmark.identity : static_cast<int>(i) + 1);
+            }
         }
     }
     if (style.numbers) {
         for (const LineExtent& extent : marked.extents) {
             draw.number(QPointF(extent.a.x + extent.b.x, extent.a.y + extent.b.y) / 2.0,
-                        extent.landmark);
+                        extent.landmark + 1);
         }
     }
     if (style.highlighted >= 0) {
@@ -207,6 +211,15 @@ int find_same(const LandmarkMap& map, const std::optional<ICaracteristica>& want
     return found;
 }
 
+QString name_of(const ICaracteristica& landmark, int index) {
+    if (landmark.identity >= 0)
+        return landmark_words(QT_TRANSLATE_NOOP("Landmarks", "Landmark %1")).arg(landmark.identity);
+    return landmark_words(landmark.kind() == FeatureKind::line
+                              ? QT_TRANSLATE_NOOP("Landmarks", "Line %1")
+                              : QT_TRANSLATE_NOOP("Landmarks", "Corner %1"))
+        .arg(index + 1);
+}
+
 QStringList describe(const ICaracteristica& world, int index) {
     // A file of results tells no covariance and no number of observations.
     const bool known = !world.covariance.isZero(0.0);
@@ -216,15 +229,13 @@ QStringList describe(const ICaracteristica& world, int index) {
         const double sigma = std::sqrt(std::max(world.covariance(place, place), 0.0));
         return words + " ± " + QString::number(sigma * factor, 'f', decimals);
     };
-    QStringList lines;
+    QStringList lines{name_of(world, index)};
     if (const auto* recta = std::get_if<Recta>(&world.value)) {
-        lines << landmark_words(QT_TRANSLATE_NOOP("Landmarks", "Line %1")).arg(index + 1)
-              << QString("ρ  %1 m").arg(value(recta->rho, 0, 1.0, 3))
+        lines << QString("ρ  %1 m").arg(value(recta->rho, 0, 1.0, 3))
               << QString("θ  %1°").arg(value(recta->theta, 1, kDegreesPerRadian, 2));
     } else {
         const auto& esquina = std::get<Esquina>(world.value);
-        lines << landmark_words(QT_TRANSLATE_NOOP("Landmarks", "Corner %1")).arg(index + 1)
-              << QString("x  %1 m").arg(value(esquina.x, 0, 1.0, 3))
+        lines << QString("x  %1 m").arg(value(esquina.x, 0, 1.0, 3))
               << QString("y  %1 m").arg(value(esquina.y, 1, 1.0, 3));
     }
     if (world.observations > 0) {

@@ -47,6 +47,9 @@ int find_same(const LandmarkMap& map, const std::optional<ICaracteristica>& want
 
 /// What to know about a landmark: kind and number, values with deviations, observations. `world`
 /// is in the world's frame.
+/// What a landmark is called: by its identity where it has one, else by its place in the map.
+QString name_of(const ICaracteristica& landmark, int index);
+
 QStringList describe(const ICaracteristica& world, int index);
 
 }  // namespace hitos::window

@@ -82,7 +82,8 @@ void ScanView::prepare() {
     }
     const Pose from_robot = pose_view_robot();
     const Pose from_world = pose_view_world();
-    for (const Point2& point : snapshot_->scan.points) points_.push_back(moved(from_robot, point));
+    for (const Point2& point : shown_points(snapshot_->scan))
+        points_.push_back(moved(from_robot, point));
     const Observation& seen = snapshot_->observation;
     for (const DetectedLine& line : seen.lines) {
         segments_.emplace_back(moved(from_robot, seen.support[line.first]),

@@ -253,11 +253,12 @@ void WorldView::paint_rays(QPainter& painter, const Scene& scene) const {
     const Point2 laser =
         transform(robot, Point2{scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y});
     painter.setPen(thin_pen(faded(scene.colours.scan, 28)));
-    for (const Point2& point : scan.points) {
+    const std::vector<Point2> points = shown_points(scan);
+    for (const Point2& point : points) {
         painter.drawLine(scene.to_screen.map(point_of(laser)),
                          scene.to_screen.map(point_of(transform(robot, point))));
     }
-    for (const Point2& point : scan.points) {
+    for (const Point2& point : points) {
         draw_disc(painter, scene.to_screen.map(point_of(transform(robot, point))), 1.4,
                   scene.colours.scan);
     }

@@ -392,6 +392,8 @@ TEST_F(StudyFolderTest, WhatCannotAllBePutInPlaceGoesBackToWhereItWaits) {
     };
     change_places("maps/dmax-0.02-p-2-s1.map");
     change_places("maps/dmax-0.02-p-2-s4.map");
+    // A file of the former study alone waits, too.
+    fs::rename(out("landmarks.gp"), next / "landmarks.gp");
     list.push_back({"maps/lost.map", 1, {}});
     folder_.put("out/.study.json.hitos-next/journal.json",
                 nlohmann::json{{"with_runs", true}, {"files", json_of(list)}}.dump());
