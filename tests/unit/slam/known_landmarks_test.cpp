@@ -2,11 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "graph/graph_merging.hpp"
 #include "graph_tour.hpp"
 #include "hitos/slam/filters.hpp"
 #include "room_tour.hpp"
@@ -136,6 +139,20 @@ TEST_P(KnownLandmarks, WhatIsRecordedIsWhatWasDone) {
     EXPECT_EQ(feature.decision.outcome, Association::Outcome::matched);
     ASSERT_EQ(feature.compared.size(), 1U);
     EXPECT_EQ(feature.compared[0].standing, Standing::candidate);
+}
+
+TEST(GraphMerging, ANamelessLandmarkTakesInOneNameAndNoOther) {
+    LandmarkGraph graph;
+    graph.add_landmark(FeatureKind::corner, {{0.0, 0.0}, 0.0});
+    graph.add_landmark(FeatureKind::corner, {{0.01, 0.0}, 0.0}, 5);
+    graph.add_landmark(FeatureKind::corner, {{0.02, 0.0}, 0.0}, 6);
+    graph.add_landmark(FeatureKind::corner, {{0.0, 0.01}, 0.0});
+    const auto sure = [](std::size_t, const Matrix2&, std::size_t, const Matrix2&) {
+        return Matrix2(1e-6 * Matrix2::Identity());
+    };
+    const auto leader = find_duplicates(graph, chi_square_gate(0.95), sure);
+    ASSERT_TRUE(leader);
+    EXPECT_EQ(*leader, (std::vector<std::uint32_t>{0, 0, 2, 0}));
 }
 
 INSTANTIATE_TEST_SUITE_P(

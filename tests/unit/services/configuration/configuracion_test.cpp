@@ -150,8 +150,9 @@ TEST(ParameterText, FormatsAreTheWordsOfTheCaptureLayer) {
     for (std::size_t i = 1; i < format.choices.size(); ++i) {
         EXPECT_EQ(format.choices[i].word, log_formats().entries()[i - 1].word);
     }
-    EXPECT_EQ(format.allowed(),
-              "one of auto, player, radish, normalized, carmen, mrclam, rosbag, mcap, db3, rosbag2");
+    EXPECT_EQ(
+        format.allowed(),
+        "one of auto, player, radish, normalized, carmen, mrclam, rosbag, mcap, db3, rosbag2");
 }
 
 TEST(FindParameter, FindsEveryKey) {
