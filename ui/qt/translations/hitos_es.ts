@@ -3217,7 +3217,7 @@
     </message>
     <message>
         <source>Landmark %1</source>
-        <translation type="unfinished">Hito %1</translation>
+        <translation>Hito %1</translation>
     </message>
 </context>
 <context>
@@ -6100,7 +6100,7 @@
     </message>
     <message>
         <source>Landmark %1</source>
-        <translation type="unfinished">Hito %1</translation>
+        <translation>Hito %1</translation>
     </message>
 </context>
 <context>
