@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "hitos/base/error.hpp"
 #include "hitos/base/input_files.hpp"
 #include "hitos/base/staged_files.hpp"
 #include "hitos/capture/log_format.hpp"
@@ -38,9 +39,14 @@ void write_tour_files(const std::shared_ptr<const SimulatedTour>& tour, const To
         }
         if (files.log.empty()) return;
         const auto writer = make_log_writer(format, to(files.log));
-        write_tour(reader, *writer, [&] {
-            if (told) told(reader);
-        });
+        try {
+            write_tour(reader, *writer, [&] {
+                if (told) told(reader);
+            });
+        } catch (const FormatError& error) {
+            // Nobody knows of the file in which it really is.
+            throw FormatError(files.log.string(), error.line(), error.problem());
+        }
         writer->finish();
     });
     staged.commit();

@@ -58,6 +58,20 @@ TEST(TourFiles, AFullDiskLeavesWhatWasThere) {
     EXPECT_EQ(folder.files(), 2U);
 }
 
+TEST(TourFiles, WhatAFormatCannotSayIsToldOfTheLogThatWasAskedFor) {
+    const TempDir folder;
+    World posts = some_tour()->world();
+    posts.landmarks.at = {{3.0, 1.0}};
+    TourFiles files;
+    files.format = "player";
+    files.log = folder / "tour.log";
+    const std::string error = test::message_of<FormatError>(
+        [&] { write_tour_files(std::make_shared<const SimulatedTour>(posts), files, {}); });
+    EXPECT_THAT(error, HasSubstr((folder / "tour.log").string() + ": the landmarks of line"));
+    EXPECT_THAT(error, HasSubstr("write them in the normalized format"));
+    EXPECT_FALSE(std::filesystem::exists(files.log));
+}
+
 TEST(TourFiles, WhoStopsItLeavesNothing) {
     const TempDir folder;
     TourFiles files;
