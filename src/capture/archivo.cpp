@@ -7,7 +7,8 @@
 namespace hitos {
 
 struct Archivo::Cursor {
-    explicit Cursor(const std::filesystem::path& path) : reader(path) {}
+    explicit Cursor(const std::filesystem::path& file) : path(file), reader(file) {}
+    std::filesystem::path path;
     LineReader reader;
 };
 
@@ -45,9 +46,14 @@ std::optional<RawLine> Archivo::read_odometry_line() {
 
 std::optional<RawLine> Archivo::read(Cursor& cursor, LineKind wanted) {
     const bool tells_damage = wanted == LineKind::scan || apart_;
+    const auto note = [&](std::uint64_t number, Message reason) {
+        // A line has a number in both files.
+        const std::string file = cursor.path.filename().string();
+        damage_.note(number, apart_ ? message("%1: %2", file, reason) : std::move(reason));
+    };
     while (std::optional<LineReader::Line> line = cursor.reader.next()) {
         if (!line->damage.empty()) {
-            if (tells_damage) damage_.note(line->number, std::move(line->damage));
+            if (tells_damage) note(line->number, std::move(line->damage));
             continue;
         }
         if (line->text.empty() || line->text.front() == '#') continue;
@@ -57,8 +63,8 @@ std::optional<RawLine> Archivo::read(Cursor& cursor, LineKind wanted) {
         }
         const bool elsewhere = apart_ && kind != LineKind::other;  // a line of the other file
         if ((kind == LineKind::damaged || elsewhere) && tells_damage) {
-            damage_.note(line->number, message(HITOS_TEXT("Errors", "not a line of the format %1"),
-                                               format_.word));
+            note(line->number,
+                 message(HITOS_TEXT("Errors", "not a line of the format %1"), format_.word));
         }
     }
     return std::nullopt;

@@ -251,6 +251,7 @@ bool Procesador::is_early(const Scan& scan) {
 std::optional<Odometria> Procesador::next_odometry() {
     for (;;) {
         const std::optional<RawLine> line = fuente_->read_odometry_line();
+        collect_damage();
         if (!line) return std::nullopt;
         try {
             std::optional<OdometryRecord> record = conversor_odometry_->odometry(*line);

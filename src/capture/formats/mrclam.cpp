@@ -5,7 +5,6 @@
 #include "hitos/capture/mrclam.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <map>
 #include <string>
@@ -21,28 +20,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kMeasurements = "_Measurement.dat";
+constexpr const char* kOdometry = "_Odometry.dat";
 constexpr const char* kBarcodes = "Barcodes.dat";
 constexpr std::int64_t kRobots = 5;  // subjects 1 to 5; the marks are those from 6 on
 
-/// Its number in "Robot3_Odometry.dat"; nothing of other names.
-std::optional<int> robot_of(const std::string& name) {
+/// "Robot3" of "Robot3_Odometry.dat"; nothing of other names.
+std::string robot_of(const std::string& name) {
     constexpr std::string_view kRobot = "Robot";
-    if (!name.starts_with(kRobot)) return std::nullopt;
-    int robot = 0;
-    const char* const end = name.data() + name.size();
-    const auto [stop, error] = std::from_chars(name.data() + kRobot.size(), end, robot);
-    const std::string_view rest(stop, static_cast<std::size_t>(end - stop));
-    const bool tour = rest == "_Odometry.dat" || rest == "_Measurement.dat";
-    return error == std::errc() && tour ? std::optional(robot) : std::nullopt;
+    const std::size_t end = name.find('_');
+    if (end == std::string::npos || !name.starts_with(kRobot)) return {};
+    const std::string_view number = std::string_view(name).substr(0, end).substr(kRobot.size());
+    const std::string_view rest = std::string_view(name).substr(end);
+    const bool tour = rest == kOdometry || rest == kMeasurements;
+    return tour && input::parse_whole(number) ? name.substr(0, end) : std::string();
 }
 
 std::vector<fs::path> mrclam_files(const fs::path& path) {
-    const std::optional<int> robot = robot_of(path.filename().string());
-    if (!robot) return {};
+    const std::string robot = robot_of(path.filename().string());
+    if (robot.empty()) return {};
     const fs::path folder = path.parent_path();
-    const std::string name = "Robot" + std::to_string(*robot);
-    return {folder / (name + "_Measurement.dat"), folder / (name + "_Odometry.dat"),
-            folder / kBarcodes};
+    return {folder / (robot + kMeasurements), folder / (robot + kOdometry), folder / kBarcodes};
 }
 
 LineKind classify_mrclam(std::string_view text) {
@@ -55,10 +53,10 @@ LineKind classify_mrclam(std::string_view text) {
 using Subjects = std::map<std::int64_t, std::int64_t>;
 
 Subjects read_subjects(const fs::path& path) {
-    const std::string text = input::read_text(path);
+    const std::string text = input::read_text(path, input::kLargestSettings);
     Subjects subjects;
     std::uint64_t number = 0;
-    for (std::string_view rest = text; !rest.empty();) {
+    for (std::string_view rest = input::without_mark(text); !rest.empty();) {
         const std::string_view line = rest.substr(0, rest.find('\n'));
         rest.remove_prefix(std::min(rest.size(), line.size() + 1));
         Fields fields(line, ++number);
@@ -69,7 +67,10 @@ Subjects read_subjects(const fs::path& path) {
             if (subject < 1 || subject > std::numeric_limits<std::int32_t>::max()) {
                 fields.fail("subject", word, HITOS_TEXT("Errors", "a whole number from 1"));
             }
-            subjects[fields.integer("barcode")] = subject;
+            const std::string_view code = fields.peek();
+            if (!subjects.emplace(fields.integer("barcode"), subject).second) {
+                fields.fail("barcode", code, HITOS_TEXT("Errors", "one that no line before lists"));
+            }
             fields.expect_end("barcode");
         } catch (const FormatError& error) {
             throw FormatError(path.string(), number, error.problem());
@@ -89,13 +90,29 @@ class ConversorMrclam final : public Conversor {
     std::optional<OdometryRecord> odometry(const RawLine& line) override;
 
   private:
+    std::optional<Scan> read_scan(const RawLine& line);
+
     ReadOptions options_;
     std::optional<LaserPose> laser_pose_;
     Subjects subjects_;
     std::optional<Scan> scan_;  // of the lines so far that have one time
 };
 
+/// A line has a number in both files: damage says in which.
+template <class Read>
+auto told_with(const char* file, const RawLine& line, const Read& read) {
+    try {
+        return read();
+    } catch (const FormatError& error) {
+        throw FormatError("", line.number, message("%1: %2", file + 1, error.problem()));
+    }
+}
+
 std::optional<Scan> ConversorMrclam::scan(const RawLine& line) {
+    return told_with(kMeasurements, line, [&] { return read_scan(line); });
+}
+
+std::optional<Scan> ConversorMrclam::read_scan(const RawLine& line) {
     Fields fields(line);
     const double time_s = fields.number("time");
     const std::string_view code = fields.peek();
@@ -128,10 +145,12 @@ std::optional<Scan> ConversorMrclam::scan(const RawLine& line) {
 }
 
 std::optional<OdometryRecord> ConversorMrclam::odometry(const RawLine& line) {
-    Fields fields(line);
-    OdometryRecord record = read_velocities(fields, line);
-    fields.expect_end(HITOS_TEXT("Errors", "the velocities"));
-    return record;
+    return told_with(kOdometry, line, [&] {
+        Fields fields(line);
+        OdometryRecord record = read_velocities(fields, line);
+        fields.expect_end(HITOS_TEXT("Errors", "the velocities"));
+        return std::optional(record);
+    });
 }
 
 std::unique_ptr<Conversor> make_conversor_mrclam(const Fuente& fuente, const ReadOptions& options) {

@@ -313,8 +313,12 @@ Decision Associator::decide(const typename S::Columns& landmarks, const Pose& po
         },
         watch);
     if (candidates.none() || !rule_.ambiguous(candidates, log_p0_)) {
-        Decision decision = resolve(candidates);
         const std::int32_t identity = observed.seen.measured.identity;
+        // Where rounding leaves no comparison with its landmark, it is no new one either.
+        if (candidates.none() && identity != kNameless && landmarks.identified(identity)) {
+            return {Association::Outcome::ignored, Association::Reason::between_gates, 0, 0.0};
+        }
+        Decision decision = resolve(candidates);
         if (identity != kNameless && !candidates.none() &&
             landmarks.record(candidates.best()).identity == identity) {
             decision.reason = Association::Reason::known;

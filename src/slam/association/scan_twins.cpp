@@ -1,5 +1,6 @@
 #include "scan_twins.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hitos {
@@ -16,13 +17,17 @@ void ScanTwins::find(const Measurements& seen, const KindRow<SeenReach>* reaches
     for_each_kind([&]<class S>() {
         const std::span<const Measurement> row = seen.of<S>();
         for (std::size_t later = 1; later < row.size(); ++later) {
+            if (row[later].identity != kNameless) {
+                // One pair is enough: all further ones of its name are twins of the first.
+                const auto first = std::ranges::find(row.first(later), row[later].identity,
+                                                     &Measurement::identity);
+                const auto place = static_cast<std::size_t>(first - row.begin());
+                if (place < later)
+                    pairs_.emplace_back(seen.first<S>() + place, seen.first<S>() + later);
+                continue;
+            }
             const EKF<S> ekf(row[later].r);
             for (std::size_t earlier = 0; earlier < later; ++earlier) {
-                if (row[later].identity != kNameless) {
-                    if (row[later].identity != row[earlier].identity) continue;
-                    pairs_.emplace_back(seen.first<S>() + earlier, seen.first<S>() + later);
-                    continue;
-                }
                 const auto known = EKF<S>(row[earlier].r).first({}, row[earlier].z).mean;
                 if (reaches != nullptr) {
                     const Extent first = S::placed(reaches->of<S>()[earlier], {}, known);

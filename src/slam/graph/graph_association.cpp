@@ -130,7 +130,8 @@ void GraphAssociation::find(const LandmarkGraph& graph, const GraphWindow& windo
         inside_.push_back({i, close.log_likelihood, shared_m, seen_m});
     }
     if (inside.none()) {
-        if (nearest > new_gate_) {
+        // Where rounding leaves no comparison with its landmark, it is no new one either.
+        if (nearest > new_gate_ && !known) {
             feature.outcome = Association::Outcome::created;
             feature.reason = Association::Reason::fits_none;
         }

@@ -90,9 +90,15 @@ TEST_F(Mrclam, DamagedLinesAreCountedInBothFiles) {
     const Log log = test::read_log(folder_ / "Robot2_Odometry.dat");
     EXPECT_EQ(log.scans.size(), 1U);
     EXPECT_EQ(log.odometry.size(), 2U);
-    EXPECT_EQ(log.report.skipped, 5U);
-    put("Barcodes.dat", "1 5\n6 a\n");
-    EXPECT_THROW(test::read_log(folder_ / "Robot2_Odometry.dat"), FormatError);
+    EXPECT_EQ(log.report.skipped, 6U);
+    std::string told;
+    for (const ReadReport::Skip& skip : log.report.examples) told += skip.reason.english() + '\n';
+    EXPECT_THAT(told, HasSubstr("Odometry.dat: not a line of the format mrclam"));
+    EXPECT_THAT(told, HasSubstr("Measurement.dat: barcode: found \"17\""));
+    for (const char* barcodes : {"1 5\n6 a\n", "0 5\n", "2147483648 5\n", "6 5\n7 5\n"}) {
+        put("Barcodes.dat", barcodes);
+        EXPECT_THROW(test::read_log(folder_ / "Robot2_Odometry.dat"), FormatError) << barcodes;
+    }
 }
 
 }  // namespace

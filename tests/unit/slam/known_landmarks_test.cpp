@@ -90,6 +90,17 @@ TEST_P(KnownLandmarks, SeenTwiceInOneScanAreOne) {
     EXPECT_EQ(identities(*filter), (std::vector{5, 6}));
 }
 
+TEST_P(KnownLandmarks, BeyondAllReckoningAreNotMadeAgain) {
+    const std::vector<Seen> far{{{1e11, 1e10}, 5}};
+    const auto filter = fed({far, far, far});
+    EXPECT_EQ(identities(*filter), std::vector{5});
+}
+
+TEST_P(KnownLandmarks, AThousandOfOneNameInAScanTakeNoLongerThanAThousandOfMany) {
+    const auto filter = fed({std::vector<Seen>(1000, {{3.0, 0.0}, 5})});
+    EXPECT_EQ(identities(*filter), std::vector{5});
+}
+
 TEST_P(KnownLandmarks, AreAssociatedByPlaceWhereNobodyBelievesThem) {
     params_.association.known = false;
     const auto filter = fed({{{{3.0, 0.0}, 5}}, {{{3.01, 0.0}, 6}}, {{{3.0, 4.0}, 5}}});

@@ -3154,6 +3154,10 @@
         <source>%1: no such key; expected walls, walls_dxf, dxf_layer, dxf_unit, doors, people, seed, [tour], [robot], [laser], [landmarks], [raster] or [odometry]</source>
         <translation>%1: no existe esa clave; se esperaba walls, walls_dxf, dxf_layer, dxf_unit, doors, people, seed, [tour], [robot], [laser], [landmarks], [raster] u [odometry]</translation>
     </message>
+    <message>
+        <source>one that no line before lists</source>
+        <translation>uno que ninguna línea anterior enumere</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
