@@ -110,7 +110,7 @@ std::string_view suited_preset(const std::string& source) {
         if (format == nullptr) {
             std::unique_ptr<Fuente> log = open_log(source);
             format = &log->format();
-            if (shows_landmarks(std::move(log))) return kLandmarkPreset;
+            if (format->landmarks && shows_landmarks(std::move(log))) return kLandmarkPreset;
         }
         if (format->of_robots) return kRobotPreset;
     } catch (const FileError&) {

@@ -68,6 +68,7 @@ struct LogFormat : RegistryEntry {
     bool ray_times = false;  ///< whether its writer says when each ray was measured
     /// Whether robots write it; what simulators write may be replayed as the thesis did.
     bool of_robots = false;
+    bool landmarks = false;  ///< whether it has words for landmarks that a sensor told
     using Files = std::vector<std::filesystem::path>(const std::filesystem::path& path);
     /// Of text in several files: those of scans and of odometry, then what else is read, of the
     /// path of either of the first two; nothing of another path. Null: all is in one file.

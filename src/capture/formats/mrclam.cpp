@@ -169,6 +169,7 @@ LogFormat mrclam_format() {
                         make_conversor_mrclam};
     format.files = mrclam_files;
     format.of_robots = true;
+    format.landmarks = true;
     return format;
 }
 

@@ -224,13 +224,15 @@ OdometryRecord read_velocities(Fields& fields, const RawLine& line) {
 }
 
 LogFormat normalized_format() {
-    return {{"normalized", HITOS_TEXT("ParameterChoice", "Normalised"),
-             "points and velocities as text, exact to the last bit"},
-            "*.log *.txt",
-            claims_normalized,
-            classify_normalized,
-            make_plain_conversor<ConversorNormalized>,
-            make_writer<LogWriterNormalized>};
+    LogFormat format = {{"normalized", HITOS_TEXT("ParameterChoice", "Normalised"),
+                         "points and velocities as text, exact to the last bit"},
+                        "*.log *.txt",
+                        claims_normalized,
+                        classify_normalized,
+                        make_plain_conversor<ConversorNormalized>,
+                        make_writer<LogWriterNormalized>};
+    format.landmarks = true;
+    return format;
 }
 
 }  // namespace hitos

@@ -157,15 +157,10 @@ LandmarkMap parse_mrclam_marks(std::string_view text, const std::string& name) {
     constexpr std::array<std::string_view, 5> kColumns = {"subject", "x", "y", "x std-dev",
                                                           "y std-dev"};
     LandmarkMap map;
-    std::uint64_t number = 0;
-    while (const auto line = input::next_line(text)) {
-        ++number;
-        const std::string_view content = input::trimmed(*line);
-        if (content.empty() || content.starts_with('#')) continue;
-        const auto values = input::finite_numbers(content, kColumns, {name, number});
+    for (const auto& [values, line] : mrclam_rows(text, kColumns, name)) {
         ICaracteristica& mark = map.emplace_back();
         mark.value = Esquina{values[1], values[2]};
-        mark.identity = identity_of(values[0], {name, number});
+        mark.identity = identity_of(values[0], {name, line});
     }
     return map;
 }

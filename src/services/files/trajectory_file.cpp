@@ -159,12 +159,8 @@ void to_seconds(Trajectory& trajectory, const Columns& columns, const std::strin
 Trajectory parse_mrclam_way(std::string_view text, const std::string& name) {
     constexpr std::array<std::string_view, 4> kColumns = {"t", "x", "y", "orientation"};
     Trajectory trajectory;
-    std::uint64_t number = 0;
-    while (const auto line = input::next_line(text)) {
-        ++number;
-        const std::string_view content = input::trimmed(*line);
-        if (content.empty() || content.starts_with('#')) continue;
-        const auto [t, x, y, theta] = input::finite_numbers(content, kColumns, {name, number});
+    for (const auto& row : mrclam_rows(text, kColumns, name)) {
+        const auto [t, x, y, theta] = row.values;
         trajectory.push_back({t, {x, y, wrap_angle(theta)}});
     }
     return trajectory;
