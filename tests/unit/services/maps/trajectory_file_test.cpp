@@ -22,6 +22,21 @@ std::string path_refusal(std::string_view text) {
     return message_of<FormatError>([&] { parse_trajectory(text, "t.tum"); });
 }
 
+TEST(ParseTrajectory, ReadsTheWayOfARobotOfMrclam) {
+    const std::string head = "# UTIAS Multi-Robot Cooperative Localization and Mapping Dataset\n";
+    const Trajectory way = parse_trajectory(head +
+                                                "# Time [s] x [m] y [m] orientation [rad]\n"
+                                                "1248272272.841 \t 3.5 \t -2.25 \t 1.5\n"
+                                                "1248272272.856 3.5 -2.25 4.0\n",
+                                            "Robot1_Groundtruth.dat");
+    ASSERT_EQ(way.size(), 2U);
+    EXPECT_EQ(way[0].time_s, 1248272272.841);
+    EXPECT_EQ(way[0].pose, (Pose{3.5, -2.25, 1.5}));
+    EXPECT_DOUBLE_EQ(way[1].pose.theta, wrap_angle(4.0));
+    EXPECT_THROW(parse_trajectory(head + "1 2 3\n", "short"), FormatError);
+    EXPECT_THROW(parse_trajectory(head, "none"), FormatError);
+}
+
 TEST(ParseTrajectory, ReadsPosesInOrder) {
     const Trajectory trajectory = parse_trajectory(
         "# t x y z qx qy qz qw\n\n 5.5 1 -2 7 0 0 0.7071067811865476 0.7071067811865476\r\n"
