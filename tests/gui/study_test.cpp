@@ -83,6 +83,42 @@ void StudyTest::the_true_path_of_the_session_is_used() {
              qPrintable(f.verdict()));
 }
 
+void StudyTest::other_figures_can_be_looked_at() {
+    StudyFixture f;
+    Configuracion world = f.session.configuration();
+    world.source.file = Fixture::source_file("data/worlds/recinto.toml").toStdString();
+    world.source.world_set = "laser.rate=1 tour.laps=1";
+    f.session.set_configuration(world);
+    f.set("reference", Fixture::source_file("data/maps/recinto.map"));
+    f.set("values", "0.02, 0.05");
+    f.run_study();
+    StudyPlots& plots = f.study.plots();
+    auto* figure = plots.findChild<QComboBox*>("study_figure");
+    QVERIFY2(figure->isVisibleTo(&plots), qPrintable(f.verdict()));
+    QCOMPARE(figure->currentText(), QString("Map error"));
+    const auto show = [&](const QString& name) {
+        const int place = figure->findText(name);
+        QVERIFY2(place >= 0, qPrintable(name));
+        figure->setCurrentIndex(place);
+        emit figure->activated(place);
+        QCOMPARE(figure->currentText(), name);
+        QVERIFY(plots.quality_title().startsWith(name));
+        QCOMPARE(plots.means(), 2);
+        plots.choose(0);
+        QVERIFY(plots.words_of_cell(0).contains(name + ": "));
+    };
+    show("Trajectory error");
+    show("True poses in the region of 95 %");
+    QVERIFY(plots.quality_title().contains("dashed: 0.95, as it ought to be"));
+    // Of another study too, which has it.
+    f.study.form().set_assignments({"dmax=0.02,0.05", "p=5,6"});
+    f.set("folder", f.path("pairs"));
+    f.run_study();
+    QVERIFY2(f.verdict().contains("8 of 8"), qPrintable(f.verdict()));
+    QCOMPARE(figure->currentText(), QString("True poses in the region of 95 %"));
+    QCOMPARE(plots.means(), 4);
+}
+
 void StudyTest::every_parameter_can_be_chosen() {
     StudyFixture f;
     auto* names = f.study.findChild<QComboBox*>("parameter");

@@ -365,6 +365,7 @@ class StudyTest : public QObject {
     void the_second_parameter_is_checked_too();
     void without_reference_grids_are_measured_and_shown();
     void the_true_path_of_the_session_is_used();
+    void other_figures_can_be_looked_at();
     void a_stopped_study_goes_on_where_it_was();
     void another_studys_folder_is_asked_about();
     void closing_while_it_runs_asks();

@@ -56,6 +56,9 @@ TEST_F(BenchmarkCommand, MakesATableWithPicturesAndGoesOn) {
     EXPECT_THAT(page, HasSubstr("<img src=\"runs/recinto/particles/contact-sheet.png\""));
     EXPECT_TRUE(fs::exists(path("out/runs/recinto/particles/contact-sheet.png")));
     EXPECT_THAT(content(path("out/benchmark.tex")), HasSubstr("m$^2$"));
+    EXPECT_THAT(page, HasSubstr("<img src=\"calibration.svg\""));
+    EXPECT_TRUE(fs::exists(path("out/calibration.png")));
+    EXPECT_THAT(content(path("out/benchmark.md")), HasSubstr("| filter [ms/scan] |"));
     const auto records = records_of("out");
     EXPECT_EQ(records.size(), 6U);
     EXPECT_EQ(call(plan() + " --out " + path("out")).status, 0);
@@ -76,6 +79,33 @@ TEST_F(BenchmarkCommand, HasTheSameHashesWithoutPicturesAndInParts) {
     const json parts = json::parse(content(path("parts/benchmark.json")));
     for (std::size_t row : {0U, 1U})
         EXPECT_EQ(parts.at("rows")[row].at("hash"), whole.at("rows")[row].at("hash"));
+}
+
+TEST_F(BenchmarkCommand, TellsWhereTimeAndMemoryGo) {
+    const json told = object(plan() + " --no-pictures --out " + path("out"));
+    for (const json& row : told.at("rows")) {
+        double sum = 0.0;
+        for (const char* stage : {"reading", "features", "registration", "filter", "rest"})
+            sum += row.at("stage_seconds").at(stage).get<double>();
+        const double all = row.at("cpu_seconds");
+        EXPECT_GT(row.at("stage_seconds").at("filter"), 0.0);
+        EXPECT_GT(sum, 0.0);
+        EXPECT_LE(sum, all) << "parts of the whole";
+        EXPECT_GT(row.at("state_bytes"), 1000);
+    }
+}
+
+TEST_F(BenchmarkCommand, MeasuresTheRelationsOfAFolder) {
+    const std::string folder = path("relations");
+    refused(plan() + " --relations " + folder + " --out " + path("out"), "relations");
+    fs::create_directory(folder);
+    refused(plan() + " --relations " + folder + " --out " + path("out"),
+            "expected files such as recinto.relations");
+    // The robot is where it is, and a metre off.
+    file("relations/recinto.relations", "2 2 0 0 0 0 0 0\n2 2 1 0 0 0 0 0\n");
+    const json told = object(plan() + " --no-pictures --relations " + folder + " --out " + path("out"));
+    for (const json& row : told.at("rows"))
+        EXPECT_EQ(row.at("relations_m").at("mean"), 0.5) << row.dump();
 }
 
 TEST_F(BenchmarkCommand, ComparesWithWhatWasThereBefore) {

@@ -26,6 +26,7 @@ namespace {
 struct BenchmarkArguments {
     std::string plan;
     std::string tours;
+    std::string relations;
     std::string out;
     std::optional<int> runs;
     int threads = 0;
@@ -36,9 +37,28 @@ struct BenchmarkArguments {
     bool json = false;
 };
 
+/// Those of the tours that the folder has any of; to have none at all is a slip of the pen.
+void take_relations(BenchmarkPlan& plan, const std::filesystem::path& folder) {
+    bool any = false;
+    for (BenchmarkTour& tour : plan.tours) {
+        for (const char* ending : {".relations", ".relations.gz"}) {
+            const std::filesystem::path file = folder / (tour.name + ending);
+            std::error_code ignored;
+            if (!std::filesystem::exists(file, ignored)) continue;
+            tour.relations = file.string();
+            any = true;
+        }
+    }
+    if (any) return;
+    throw FileError(folder.string(),
+                    verbatim("has no relations of any tour of the plan; expected files such as " +
+                             plan.tours.front().name + ".relations"));
+}
+
 BenchmarkPlan plan_of(const BenchmarkArguments& options) {
     BenchmarkPlan plan = read_benchmark_plan(find_benchmark(options.plan), options.tours);
     if (options.runs) plan.runs = *options.runs;
+    if (!options.relations.empty()) take_relations(plan, options.relations);
     const auto named = [&](const std::string& name) {
         return std::ranges::count(options.only, name) > 0;
     };
@@ -141,7 +161,8 @@ int benchmark(const BenchmarkArguments& arguments) {
             options.shard.index, options.shard.count);
         report.object() = {{"shard", options.shard.index}, {"shards", options.shard.count}};
     } else {
-        write_benchmark(table, options.out);
+        if (const Message problem = write_benchmark(table, options.out); !problem.empty())
+            report.warn(problem.english());
         report.say("{}", markdown(benchmark_table(table)));
         report.object() = parsed_object(benchmark_json(table));
         std::error_code none;
@@ -175,6 +196,9 @@ void add_benchmark(CLI::App& program) {
         ->required();
     command->add_option("--tours", options->tours,
                         "Folder in which the plan's files are looked for, before the plan's own");
+    command->add_option("--relations", options->relations,
+                        "Folder of relations between true poses (NAME.relations, or .gz): tours "
+                        "that have a file there are measured by it, too");
     command
         ->add_option("--out", options->out,
                      "Folder for the table (benchmark.md, .csv, .tex, .html, .json) and the runs, "

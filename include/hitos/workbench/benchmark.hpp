@@ -19,6 +19,7 @@ struct BenchmarkTour {
     std::string file;        ///< a path, or the name of a world that comes with Hitos
     std::string map;         ///< reference map; empty: none
     std::string trajectory;  ///< reference path (TUM); empty: none, or a world's own
+    std::string relations;   ///< between its poses (hitos/services/evaluation/relations.hpp)
     std::string digest;      ///< Digest::text() of the file; empty: nobody says
     std::string address;     ///< where the file can be had; empty: nobody says
     double noise = 0.0;      ///< level of what is added to the odometry of each run

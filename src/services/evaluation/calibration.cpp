@@ -52,31 +52,42 @@ void shift(ICaracteristica& landmark, const Eigen::Vector2d& by) {
 
 }  // namespace
 
+void for_each_hypothesis(const SlamFilter& filter, const LandmarkMap& best,
+                         const std::function<void(const HypothesisMap&)>& visit) {
+    const std::vector<WeightedPose> hypotheses = filter.hypotheses();
+    const NearestLandmark here(best);
+    for (std::size_t h = 0; h < hypotheses.size(); ++h) {
+        if (hypotheses[h].weight <= 0.0) continue;
+        HypothesisMap one{hypotheses[h].weight, filter.map(h), {}};
+        const NearestLandmark there(one.map);
+        const bool identities = have_identities(one.map, best);
+        one.places.resize(best.size());
+        for (std::size_t i = 0; i < best.size(); ++i) {
+            const std::optional<std::size_t> near = there.of(best[i], identities);
+            if (near && here.of(one.map[*near], identities) == i) one.places[i] = near;
+        }
+        visit(one);
+    }
+}
+
 LandmarkMap mixed_map(const SlamFilter& filter) {
     LandmarkMap best = filter.best_map();
-    const std::vector<WeightedPose> hypotheses = filter.hypotheses();
-    if (hypotheses.size() < 2) return best;
+    if (filter.hypotheses().size() < 2) return best;
     // About the best one's values: of a line's angle there is no other mean.
     std::vector<Eigen::Vector2d> means(best.size(), Eigen::Vector2d::Zero());
     std::vector<Eigen::Matrix2d> squares(best.size(), Eigen::Matrix2d::Zero());
     std::vector<double> weights(best.size(), 0.0);
-    const NearestLandmark here(best);
-    for (std::size_t h = 0; h < hypotheses.size(); ++h) {
-        const double weight = hypotheses[h].weight;
-        if (weight <= 0.0) continue;
-        const LandmarkMap map = filter.map(h);
-        const NearestLandmark there(map);
-        const bool identities = have_identities(map, best);
+    for_each_hypothesis(filter, best, [&](const HypothesisMap& hypothesis) {
+        const double weight = hypothesis.weight;
         for (std::size_t i = 0; i < best.size(); ++i) {
-            const std::optional<std::size_t> near = there.of(best[i], identities);
-            if (!near || here.of(map[*near], identities) != i) continue;
-            const ICaracteristica one = written_as(map[*near], best[i]);
+            if (!hypothesis.places[i]) continue;
+            const ICaracteristica one = written_as(hypothesis.map[*hypothesis.places[i]], best[i]);
             const Eigen::Vector2d away = error_of(one, best[i]);
             means[i] += weight * away;
             squares[i] += weight * (one.covariance + away * away.transpose());
             weights[i] += weight;
         }
-    }
+    });
     for (std::size_t i = 0; i < best.size(); ++i) {
         if (weights[i] <= 0.0) continue;
         const Eigen::Vector2d mean = means[i] / weights[i];
@@ -88,6 +99,7 @@ LandmarkMap mixed_map(const SlamFilter& filter) {
 
 double chi_square_probability(double x, int degrees) {
     if (!(x > 0.0)) return 0.0;
+    if (degrees == 1) return std::erf(std::sqrt(x / 2.0));
     if (degrees == 2) return -std::expm1(-x / 2.0);
     return std::erf(std::sqrt(x / 2.0)) -
            std::sqrt(2.0 * x / std::numbers::pi) * std::exp(-x / 2.0);

@@ -17,10 +17,57 @@ namespace {
 
 using About = Measure::About;
 
+constexpr double kDegrees = 180.0 / kPi;
+
 /// The member of an error that there may be.
 template <class Error>
 std::optional<double> member(const std::optional<Error>& error, double Error::*of) {
     return error ? std::optional((*error).*of) : std::nullopt;
+}
+
+template <std::optional<RelativeError> RunErrors::*of>
+std::optional<double> relative(const MeasuredRun& run) {
+    const auto& error = run.errors.*of;
+    return error ? std::optional(error->translation_m.rmse) : std::nullopt;
+}
+template <std::optional<RelativeError> RunErrors::*of>
+std::optional<double> relative_turn(const MeasuredRun& run) {
+    const auto& error = run.errors.*of;
+    return error ? std::optional(error->rotation_rad.rmse * kDegrees) : std::nullopt;
+}
+template <ErrorFigures RelationErrors::*of>
+std::optional<double> of_relations(const MeasuredRun& run) {
+    const auto& errors = run.errors.relation_errors;
+    return errors ? std::optional(((*errors).*of).mean) : std::nullopt;
+}
+std::optional<double> turn_of_relations(const MeasuredRun& run) {
+    const auto mean = of_relations<&RelationErrors::rotation_rad>(run);
+    return mean ? std::optional(*mean * kDegrees) : std::nullopt;
+}
+
+/// Errors of the way from pose to pose, which no frame changes.
+std::vector<Measure> relative_measures() {
+    std::vector<Measure> measures{
+        {"rpe_1m_m", "RPE 1 m", About::path, "m", 3, "", &relative<&RunErrors::relative_error_1m>,
+         "root mean square error of the path's every metre, against the true one's"},
+        {"rpe_10m_m", "RPE 10 m", About::path, "m", 3, "",
+         &relative<&RunErrors::relative_error_10m>, "the same of every ten metres",
+         HITOS_TEXT("Measure", "relative error in 10 m")},
+        {"rpe_1m_turn_deg", "turn in 1 m", About::path, "deg", 3, "",
+         &relative_turn<&RunErrors::relative_error_1m>,
+         "root mean square error of the turn in every metre"},
+        {"rpe_10m_turn_deg", "turn in 10 m", About::path, "deg", 3, "",
+         &relative_turn<&RunErrors::relative_error_10m>, "the same in every ten metres"},
+        {"relations_m", "relations", About::path, "m", 3, "",
+         &of_relations<&RelationErrors::translation_m>,
+         "mean error of the way between the poses of the relations"},
+        {"relations_turn_deg", "relations' turn", About::path, "deg", 3, "",
+         &turn_of_relations, "mean error of the turn between them"}};
+    for (Measure& measure : measures) {
+        measure.rare = true;
+        measure.detail = measure.word.starts_with("rpe_1m") || measure.word.ends_with("turn_deg");
+    }
+    return measures;
 }
 
 /// Shares of the truth in the regions, first of the pose, then of the landmarks.
@@ -35,18 +82,18 @@ std::optional<double> nees(const MeasuredRun& run) {
     return (run.calibration->*of).mean();
 }
 template <Coverage Calibration::*of>
-std::vector<Measure> calibration_measures(const std::string& word, const std::string& label) {
+std::vector<Measure> calibration_measures(const std::string& label, const char* plot) {
     const std::string share = "share of the true " + label + "s in the filter's region of ";
     std::vector<Measure> measures{
-        {word + "_in_95", label + " in 95 %", About::path, "", 3, "", &inside<of, 2>,
-         share + "95 %"},
-        {word + "_nees", label + " NEES", About::path, "", 2, "", &nees<of>,
+        {label + "_in_95", label + " in 95 %", About::path, "", 3, "", &inside<of, 2>,
+         share + "95 %", plot},
+        {label + "_nees", label + " NEES", About::path, "", 2, "", &nees<of>,
          "mean of the " + label + "'s squared error in units of its covariance"},
-        {word + "_in_50", label + " in 50 %", About::path, "", 3, "", &inside<of, 0>,
+        {label + "_in_50", label + " in 50 %", About::path, "", 3, "", &inside<of, 0>,
          share + "50 %"},
-        {word + "_in_68", label + " in 68 %", About::path, "", 3, "", &inside<of, 1>,
+        {label + "_in_68", label + " in 68 %", About::path, "", 3, "", &inside<of, 1>,
          share + "68 %"},
-        {word + "_in_99", label + " in 99 %", About::path, "", 3, "", &inside<of, 3>,
+        {label + "_in_99", label + " in 99 %", About::path, "", 3, "", &inside<of, 3>,
          share + "99 %"}};
     for (Measure& measure : measures) {
         measure.detail = !measure.word.ends_with("95");
@@ -102,11 +149,30 @@ std::vector<Measure> all_measures() {
         {"corners", "corners", About::count, "", 0, "/landmarks/corners",
          [](Run run) { return Figure(run.filter.best_count(FeatureKind::corner)); },
          "corners among them"},
-        {"loops_closed", "loops", About::course, "", 0, "/quality/loops_closed"},
-        {"loops_false", "false loops", About::course, "", 0, "/quality/loops_false"},
+        {"loops_closed", "loops", About::course, "", 0, "/quality/loops_closed",
+         [](Run run) {
+             if (run.loops == nullptr) return Figure();
+             return Figure(std::ranges::count_if(*run.loops, &RunLoop::closed));
+         },
+         "loops that registration closed"},
+        {"loops_false", "false loops", About::course, "", 0, "/quality/loops_false",
+         [](Run run) {
+             const auto precision =
+                 run.loops == nullptr ? LoopPrecision{} : precision_of(*run.loops);
+             return precision.judged > 0 ? Figure(precision.wrong) : Figure();
+         },
+         "of these the ones that the true path contradicts"},
         {"run_seconds", "time", About::course, "s", 2, "/run_seconds"}};
-    for (auto& more : {calibration_measures<&Calibration::pose>("pose", "pose"),
-                       calibration_measures<&Calibration::landmarks>("landmark", "landmark")}) {
+    for (Measure& measure : measures)
+        if (measure.word.starts_with("loops_")) measure.rare = true;
+    for (auto& more :
+         {relative_measures(),
+          calibration_measures<&Calibration::pose>(
+              "pose", HITOS_TEXT("Measure", "true poses in the region of 95 %")),
+          calibration_measures<&Calibration::landmarks>(
+              "landmark", HITOS_TEXT("Measure", "true landmarks in the region of 95 %")),
+          calibration_measures<&Calibration::distances>(
+              "distance", HITOS_TEXT("Measure", "true distances in the region of 95 %"))}) {
         measures.insert(measures.end(), more.begin(), more.end());
     }
     return measures;

@@ -171,6 +171,17 @@ RunErrors errors_of(const Algoritmo& run, const LandmarkMap& map, const Trajecto
     if (references.trajectory) {
         errors.trajectory_error = error_of(path, references);
         errors.odometry_error = error_of(run.odometry_trajectory(), references);
+        const auto relative = [&](double length_m) {
+            return relative_error(path, *references.trajectory, {.length = length_m},
+                                  references.tolerance_s);
+        };
+        errors.relative_error_1m = relative(1.0);
+        errors.relative_error_10m = relative(10.0);
+    }
+    if (!references.relations.empty()) {
+        const RelationErrors measured = relation_errors(
+            measure_relations(path, references.relations, references.tolerance_s));
+        if (measured.used > 0) errors.relation_errors = measured;
     }
     return errors;
 }
@@ -197,10 +208,12 @@ RunSummary summary_of(const Algoritmo& run, const LandmarkMap& map, const Trajec
     summary.advice = run.advice();
     summary.quality = judge(run.evidence(), path, stop);
     static_cast<RunErrors&>(summary) = errors_of(run, map, path, references);
-    summary.figures = figures_of({run.evidence(), run.filter(), map, path, summary, nullptr});
+    if (references.trajectory)
+        judge_loops(summary.quality.loops, *references.trajectory, references.tolerance_s);
+    summary.figures = figures_of({run.evidence(), run.filter(), map, path, summary, nullptr,
+                                  summary.quality.registration ? &summary.quality.loops : nullptr});
     summary.distances = measure_distances(map, references.distances);
     if (references.trajectory) {
-        judge_loops(summary.quality.loops, *references.trajectory, references.tolerance_s);
         summary.online_error = error_of(known_while_driving(run), references);
         const double delay_s = run.scan().delay_s;
         if (delay_s != 0.0 && !run.reader().truth()) {

@@ -9,6 +9,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/staged_files.hpp"
 #include "hitos/base/text_input.hpp"
+#include "calibration_plot.hpp"
 #include "json_input.hpp"
 #include "spread_json.hpp"
 
@@ -44,24 +45,6 @@ std::string runs_words(const BenchmarkRow& row) {
     return fmt::format("{} of {}", row.runs, row.runs + row.failed);
 }
 
-double ms_per_scan(const BenchmarkRow& row) {
-    return row.scans > 0.0 ? 1e3 * row.cpu_seconds / row.scans : 0.0;
-}
-
-std::string remarks(const BenchmarkTable& table) {
-    std::string text = fmt::format(
-        "Each row: {} runs, seeds from {}. Means, in brackets the worst run; ms/scan is processor "
-        "time. Equal hashes: equal figures and maps, bit by bit.\n\nHitos {}, {}.\nOn {}.\n",
-        table.runs, table.first_seed, table.version, table.program, table.machine);
-    for (const BenchmarkRow& row : table.rows) {
-        for (const std::string& words : {row.problem, row.remark}) {
-            if (words.empty()) continue;
-            text += fmt::format("\n{}, {}: {}\n", row.tour, row.algorithm, on_one_line(words));
-        }
-    }
-    return text;
-}
-
 std::string in_html(std::string_view text) {
     std::string html;
     for (const char c : text) {
@@ -85,6 +68,36 @@ std::string in_html(std::string_view text) {
     return html;
 }
 
+double ms_per_scan(const BenchmarkRow& row, double seconds) {
+    return row.scans > 0.0 ? 1e3 * seconds / row.scans : 0.0;
+}
+
+void add_table(std::string& html, const TextTable& table) {
+    html += "<table>\n<tr>";
+    for (const std::string& head : table.head) html += fmt::format("<th>{}</th>", in_html(head));
+    html += "</tr>\n";
+    for (const std::vector<std::string>& row : table.rows) {
+        html += "<tr>";
+        for (const std::string& field : row) html += fmt::format("<td>{}</td>", in_html(field));
+        html += "</tr>\n";
+    }
+    html += "</table>\n";
+}
+
+std::string remarks(const BenchmarkTable& table) {
+    std::string text = fmt::format(
+        "Each row: {} runs, seeds from {}. Means, in brackets the worst run; ms/scan is processor "
+        "time. Equal hashes: equal figures and maps, bit by bit.\n\nHitos {}, {}.\nOn {}.\n",
+        table.runs, table.first_seed, table.version, table.program, table.machine);
+    for (const BenchmarkRow& row : table.rows) {
+        for (const std::string& words : {row.problem, row.remark}) {
+            if (words.empty()) continue;
+            text += fmt::format("\n{}, {}: {}\n", row.tour, row.algorithm, on_one_line(words));
+        }
+    }
+    return text;
+}
+
 /// Of a path within the folder of the page.
 std::string in_address(const std::filesystem::path& path) {
     std::string address;
@@ -98,8 +111,14 @@ std::string in_address(const std::filesystem::path& path) {
     return address;
 }
 
-std::string benchmark_html(const BenchmarkTable& table) {
-    const TextTable words = benchmark_table(table);
+std::string costs_words(const BenchmarkTable& table) {
+    const TextTable costs = benchmark_costs(table);
+    if (costs.rows.empty()) return {};
+    return "\nProcessor time of the stages of a run, and memory of its state at the end:\n\n" +
+           markdown(costs);
+}
+
+std::string benchmark_html(const BenchmarkTable& table, const std::filesystem::path& out) {
     std::string html = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{0}</title>\n<style>\n"
@@ -108,20 +127,20 @@ std::string benchmark_html(const BenchmarkTable& table) {
         "th, td {{ padding: .25em .7em; text-align: right; border-bottom: 1px solid #ddd; }}\n"
         "th:nth-child(-n+2), td:nth-child(-n+2) {{ text-align: left; }}\n"
         "figure {{ display: inline-block; margin: 1em 1em 0 0; max-width: 30em; }}\n"
-        "figure img {{ max-width: 100%; }}\n</style>\n<h1>{0}</h1>\n<table>\n<tr>",
+        "figure img {{ max-width: 100%; }}\n</style>\n<h1>{0}</h1>\n",
         in_html(table.title));
-    for (const std::string& head : words.head) html += fmt::format("<th>{}</th>", in_html(head));
-    html += "</tr>\n";
-    for (const std::vector<std::string>& row : words.rows) {
-        html += "<tr>";
-        for (const std::string& field : row) html += fmt::format("<td>{}</td>", in_html(field));
-        html += "</tr>\n";
-    }
-    html += "</table>\n";
+    add_table(html, benchmark_table(table));
     std::string_view rest;
     const std::string all = remarks(table);
     for (rest = all; const auto line = input::next_line(rest);) {
         if (!line->empty()) html += fmt::format("<p>{}</p>\n", in_html(*line));
+    }
+    if (const TextTable costs = benchmark_costs(table); !costs.rows.empty())
+        add_table(html, costs);
+    const std::string plot = std::string(study::kCalibrationPlot) + ".svg";
+    if (std::error_code none; std::filesystem::exists(out / plot, none)) {
+        html += fmt::format(
+            "<p><img src=\"{}\" alt=\"Shares of the truth in the filters' regions\"></p>\n", plot);
     }
     for (const BenchmarkRow& row : table.rows) {
         if (row.map.empty()) continue;
@@ -147,6 +166,8 @@ std::string benchmark_csv(const BenchmarkTable& table) {
     for (const char* word :
          {"reference_landmarks", "cpu_seconds", "scans", "hash", "problem", "remark"})
         text.head.emplace_back(word);
+    for (const char* stage : kRunStages) text.head.push_back(fmt::format("{}_seconds", stage));
+    text.head.emplace_back("state_bytes");
     for (const BenchmarkRow& row : table.rows) {
         std::vector<std::string> fields{row.tour, row.algorithm, row.peer ? "1" : "0",
                                         fmt::format("{}", row.runs), fmt::format("{}", row.failed)};
@@ -165,6 +186,9 @@ std::string benchmark_csv(const BenchmarkTable& table) {
         fields.push_back(row.hash);
         fields.push_back(row.problem);
         fields.push_back(row.remark);
+        for (std::size_t i = 0; i < kRunStages.size(); ++i)
+            fields.push_back(row.stages ? fmt::format("{:.6f}", row.stages->at(i)) : "");
+        fields.push_back(row.stages ? fmt::format("{:.0f}", row.state_bytes) : "");
         text.rows.push_back(std::move(fields));
     }
     return csv(text);
@@ -190,6 +214,8 @@ BenchmarkRow row_in(const ordered_json& json) {
     row.remark = json.at("remark");
     row.cpu_seconds = json.at("cpu_seconds");
     row.scans = json.at("scans");
+    row.stages = stages_in(json);
+    row.state_bytes = json.value("state_bytes", 0.0);
     if (!json.at("reference_landmarks").is_null()) {
         row.reference_landmarks = json.at("reference_landmarks").get<int>();
     }
@@ -222,8 +248,25 @@ TextTable benchmark_table(const BenchmarkTable& table, bool for_latex) {
             fields.push_back(row.reference_landmarks ? fmt::format("{}", *row.reference_landmarks)
                                                      : kNoFigure);
         }
-        fields.push_back(row.scans > 0.0 ? fmt::format("{:.2f}", ms_per_scan(row)) : kNoFigure);
+        fields.push_back(row.scans > 0.0 ? fmt::format("{:.2f}", ms_per_scan(row, row.cpu_seconds)) : kNoFigure);
         fields.push_back(row.hash.empty() ? kNoFigure : row.hash.substr(0, kShortHash));
+        text.rows.push_back(std::move(fields));
+    }
+    return text;
+}
+
+TextTable benchmark_costs(const BenchmarkTable& table) {
+    constexpr double kMebibyte = 1024.0 * 1024.0;
+    TextTable text;
+    text.head = {"tour", "algorithm"};
+    for (const char* stage : kRunStages) text.head.push_back(fmt::format("{} [ms/scan]", stage));
+    text.head.emplace_back("state [MiB]");
+    for (const BenchmarkRow& row : table.rows) {
+        if (!row.stages || row.scans <= 0.0) continue;
+        std::vector<std::string> fields{row.tour, row.algorithm};
+        for (const double seconds : *row.stages)
+            fields.push_back(fmt::format("{:.3f}", ms_per_scan(row, seconds)));
+        fields.push_back(fmt::format("{:.1f}", row.state_bytes / kMebibyte));
         text.rows.push_back(std::move(fields));
     }
     return text;
@@ -241,7 +284,9 @@ std::string benchmark_json(const BenchmarkTable& table) {
                           {"problem", row.problem},
                           {"remark", row.remark},
                           {"cpu_seconds", row.cpu_seconds},
-                          {"scans", row.scans}};
+                          {"scans", row.scans},
+                          {"stage_seconds", stages_json(row.stages)},
+                          {"state_bytes", row.state_bytes}};
         json["reference_landmarks"] =
             row.reference_landmarks ? ordered_json(*row.reference_landmarks) : ordered_json();
         for (const Measure* measure : taken_measures())
@@ -258,14 +303,36 @@ std::string benchmark_json(const BenchmarkTable& table) {
                       {"rows", rows}});
 }
 
-void write_benchmark(const BenchmarkTable& table, const std::filesystem::path& out) {
+/// Of every algorithm, over the tours.
+Message write_calibration(const BenchmarkTable& table, const std::filesystem::path& out) {
+    std::vector<std::string> names;
+    for (const BenchmarkRow& row : table.rows)
+        if (std::ranges::count(names, row.algorithm) == 0) names.push_back(row.algorithm);
+    std::vector<ByMeasure<Spread>> shares;
+    for (const std::string& name : names) {
+        std::vector<const ByMeasure<Spread>*> rows;
+        for (const BenchmarkRow& row : table.rows)
+            if (row.algorithm == name) rows.push_back(&row.figures);
+        shares.push_back(study::mean_shares(rows));
+    }
+    std::vector<study::CalibrationCurve> curves;
+    for (std::size_t i = 0; i < names.size(); ++i) curves.push_back({names[i], &shares[i]});
+    return study::write_calibration(study_in_folder(out), curves);
+}
+
+Message write_benchmark(const BenchmarkTable& table, const std::filesystem::path& out) {
+    for (const char* extension : {".png", ".svg"}) {  // of another table
+        std::error_code none;
+        std::filesystem::remove(out / (std::string(study::kCalibrationPlot) + extension), none);
+    }
+    Message problem = write_calibration(table, out);
     const TextTable words = benchmark_table(table);
     const std::string heading = fmt::format("# {}\n\n", on_one_line(table.title));
     const std::vector<std::pair<const char*, std::string>> texts{
         {"benchmark.csv", benchmark_csv(table)},
-        {"benchmark.md", heading + markdown(words) + "\n" + remarks(table)},
+        {"benchmark.md", heading + markdown(words) + "\n" + remarks(table) + costs_words(table)},
         {"benchmark.tex", latex(benchmark_table(table, true))},
-        {"benchmark.html", benchmark_html(table)},
+        {"benchmark.html", benchmark_html(table, out)},
         {kJson, benchmark_json(table) + "\n"}};
     std::vector<std::filesystem::path> files;
     files.reserve(texts.size());
@@ -275,6 +342,7 @@ void write_benchmark(const BenchmarkTable& table, const std::filesystem::path& o
         for (const auto& [name, text] : texts) write_file(staged.staged(out / name), in_utf8(text));
     });
     staged.commit();
+    return problem;
 }
 
 BenchmarkTable read_benchmark(const std::filesystem::path& out) {

@@ -1,4 +1,4 @@
-// Figures of several runs as the JSON of studies and benchmarks has them.
+// Figures and times of runs as the JSON of studies and benchmarks has them.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,5 +10,10 @@ namespace hitos {
 
 /// Null where there is none.
 nlohmann::ordered_json spread_json(const std::optional<Spread>& spread);
+
+/// Likewise.
+nlohmann::ordered_json stages_json(const std::optional<StageSeconds>& stages);
+/// Of the object's "stage_seconds"; nothing too where a version before made it.
+std::optional<StageSeconds> stages_in(const nlohmann::ordered_json& json);
 
 }  // namespace hitos

@@ -211,6 +211,7 @@ class Crew {
                       {.step_grid = false,
                        .remember_bytes = 0,
                        .examine = false,
+                       .time_stages = true,
                        .extractor = std::move(parts.extractor)});
         constexpr std::uint64_t kTellEvery = 64;
         study::RunCalibration calibration(run.reader());

@@ -126,6 +126,7 @@ std::string digest_of(const Study& study, const StudyPlan& plan, const std::stri
     digest.add(version()).add(program).add(ArchivoConfiguracion::to_text(base)).add(study.setting);
     digest.add(map_to_text(study.reference));
     if (study.reference_trajectory) digest.add(trajectory_to_text(*study.reference_trajectory));
+    if (!study.relations.empty()) digest.add(relations_text(study.relations));
     if (plan.grid) digest.add("grid");
     for (const std::vector<fs::path>& log : study::input_files(study)) {
         for (const fs::path& file : log) {

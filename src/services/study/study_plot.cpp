@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "calibration_plot.hpp"
 #include "hitos/services/drawing/gnuplot.hpp"
 #include "hitos/services/study/study_abscissa.hpp"
 
@@ -16,7 +17,8 @@ namespace {
 /// What has a plot: a figure of each cell against the parameter.
 std::vector<const Measure*> plotted() {
     std::vector<const Measure*> measures = taken_measures();
-    std::erase_if(measures, [](const Measure* measure) { return measure->plot.empty(); });
+    std::erase_if(measures,
+                  [](const Measure* measure) { return measure->plot.empty() || measure->rare; });
     return measures;
 }
 
@@ -140,15 +142,20 @@ Message write_plots(const StudyLayout& layout, const StudyPlan& plan,
                 : message(HITOS_TEXT("Errors", "no run gave a figure for %1"), stem_of(measure)));
         if (problem.empty()) problem = failure;
     }
-    return problem;
+    std::vector<CalibrationCurve> curves;
+    for (std::size_t cell = 0; cell < cells.size(); ++cell)
+        curves.push_back({plan.cell_label(cell), &cells[cell].figures});
+    const Message failure = write_calibration(layout, curves);
+    return problem.empty() ? failure : problem;
 }
 
 bool is_plot(const std::string& name) {
     static constexpr std::array kExtensions{".dat", ".gp", ".png", ".svg"};
-    return std::ranges::any_of(plotted(), [&](const Measure* measure) {
-        return std::ranges::any_of(kExtensions, [&](const char* extension) {
-            return name == stem_of(*measure) + extension;
-        });
+    std::vector<std::string> stems{kCalibrationPlot};
+    for (const Measure* measure : plotted()) stems.push_back(stem_of(*measure));
+    return std::ranges::any_of(stems, [&](const std::string& stem) {
+        return std::ranges::any_of(kExtensions,
+                                   [&](const char* extension) { return name == stem + extension; });
     });
 }
 

@@ -8,9 +8,27 @@
 #include "json_input.hpp"
 #include "results/report_json.hpp"
 #include "results/written_files.hpp"
+#include "spread_json.hpp"
 #include "study_files.hpp"
 
-namespace hitos::study {
+namespace hitos {
+
+nlohmann::ordered_json stages_json(const std::optional<StageSeconds>& stages) {
+    nlohmann::ordered_json json;
+    for (std::size_t i = 0; stages && i < kRunStages.size(); ++i)
+        json[kRunStages.at(i)] = stages->at(i);
+    return json;
+}
+
+std::optional<StageSeconds> stages_in(const nlohmann::ordered_json& json) {
+    const auto found = json.find("stage_seconds");
+    if (found == json.end() || found->is_null()) return std::nullopt;
+    StageSeconds stages{};
+    for (std::size_t i = 0; i < kRunStages.size(); ++i) stages.at(i) = found->at(kRunStages.at(i));
+    return stages;
+}
+
+namespace study {
 namespace {
 
 using nlohmann::ordered_json;
@@ -60,6 +78,8 @@ StudyRecord record_of(const ordered_json& json, const std::string& file) {
     record.report.scans = record.scans;
     record.seconds = json.at("seconds");
     record.cpu_seconds = json.at("cpu_seconds");
+    record.stages = stages_in(json);
+    record.state_bytes = json.value("state_bytes", std::size_t{0});
     record.map_digest = json.at("map");
     record.picture = optional_picture(json.at("picture"));
     return record;
@@ -92,6 +112,8 @@ void write_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t 
                  {"log", hitos::json_of(record.report, kExamples)},
                  {"seconds", record.seconds},
                  {"cpu_seconds", record.cpu_seconds},
+                 {"stage_seconds", stages_json(record.stages)},
+                 {"state_bytes", record.state_bytes},
                  {"map", record.map_digest},
                  {"picture", json_of(record.picture)}});
     write_file(record_file(layout, plan, run), sealed(json));
@@ -152,4 +174,5 @@ void copy_run(const StudyLayout& from, const StudyLayout& to, const StudyPlan& p
     write_record(to, plan, run, record);
 }
 
-}  // namespace hitos::study
+}  // namespace study
+}  // namespace hitos

@@ -46,6 +46,7 @@ References references_of(const Study& study, const Algoritmo& run) {
     References references;
     if (!study.reference.empty()) references.map = study.reference;
     references.trajectory = study.reference_trajectory;
+    references.relations = study.relations;
     if (!references.trajectory) {
         if (std::optional<Truth> truth = run.reader().truth())
             references.trajectory = std::move(truth->path);
@@ -65,9 +66,14 @@ void RunCalibration::note(const Algoritmo& run) {
     if (nees && std::isfinite(*nees)) calibration_.pose.add(*nees);
 }
 
-const Calibration* RunCalibration::counted(const SlamFilter& filter, const LandmarkMap& reference) {
+const Calibration* RunCalibration::counted(const Algoritmo& run, const LandmarkMap& map,
+                                           const Trajectory& path, const LandmarkMap& reference) {
     if (!truth_) return nullptr;
-    if (!reference.empty()) count_landmarks(calibration_.landmarks, mixed_map(filter), reference);
+    if (!reference.empty()) {
+        count_landmarks(calibration_.landmarks, mixed_map(run.filter()), reference);
+        count_distances(calibration_.distances, run.filter(), run.line_extents().of(map, path),
+                        reference);
+    }
     return &calibration_;
 }
 
@@ -84,7 +90,8 @@ std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& la
     record.report = run.report();
     const Trajectory path = run.best_trajectory();
     if (study.reference_trajectory) fit_of_reference(path, *study.reference_trajectory);
-    const RunErrors errors = errors_of(run, map, path, references_of(study, run));
+    const References references = references_of(study, run);
+    const RunErrors errors = errors_of(run, map, path, references);
     if (errors.map_error) record.reference_found = errors.map_error->reference_found;
     std::optional<GridBuilder> builder;
     if (plan.grid) builder.emplace(run.configuration().grid, run.reader().reopen(), path);
@@ -92,8 +99,19 @@ std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& la
         if (stop.stop_requested()) return std::nullopt;
     }
     const Grid* grid = builder ? &builder->grid() : nullptr;
-    const Calibration* counted = calibration.counted(run.filter(), study.reference);
-    record.figures = figures_of({run.evidence(), run.filter(), map, path, errors, grid, counted});
+    const RunEvidence evidence = run.evidence();
+    std::vector<RunLoop> loops;
+    if (evidence.registration != nullptr) {
+        loops = run_loops(evidence.registration->loops(), evidence.registration->refused_loops(),
+                          path);
+        if (references.trajectory)
+            judge_loops(loops, *references.trajectory, references.tolerance_s);
+    }
+    record.figures = figures_of({evidence, run.filter(), map, path, errors, grid,
+                                 evidence.registration != nullptr ? &loops : nullptr,
+                                 calibration.counted(run, map, path, study.reference)});
+    record.stages = run.stages();
+    record.state_bytes = run.state_bytes();
     if (grid != nullptr && plan.pictured(number) && !grid->empty()) {
         const MapImage image = shrunk(map_image(*grid), kLongestPicture);
         write_picture(image.picture, grid_file(layout, plan, number));

@@ -19,7 +19,8 @@ class RunCalibration {
     /// After a step.
     void note(const Algoritmo& run);
     /// Of the finished run, with a reference map in the world's frame; null without truth.
-    const Calibration* counted(const SlamFilter& filter, const LandmarkMap& reference);
+    const Calibration* counted(const Algoritmo& run, const LandmarkMap& map, const Trajectory& path,
+                               const LandmarkMap& reference);
 
   private:
     std::optional<PositionError> truth_;

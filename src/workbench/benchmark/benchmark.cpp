@@ -139,6 +139,7 @@ class Work {
             if (!tour.trajectory.empty()) {
                 study.reference_trajectory = read_trajectory(tour.trajectory);
             }
+            if (!tour.relations.empty()) study.relations = read_relations(tour.relations);
             study.layout = study_in_folder(options_.out / "runs" / file_word(tour.name) /
                                            file_word(algorithm.name));
             set_study_source(study, tour.noise, tour.noise_kind);
@@ -204,6 +205,12 @@ class Work {
             }
             row.cpu_seconds += record.cpu_seconds / cell.finished;
             row.scans += static_cast<double>(record.scans) / cell.finished;
+            row.state_bytes =
+                std::max(row.state_bytes, static_cast<double>(record.state_bytes));
+            if (!record.stages) continue;
+            if (!row.stages) row.stages.emplace();
+            for (std::size_t i = 0; i < kRunStages.size(); ++i)
+                row.stages->at(i) += record.stages->at(i) / cell.finished;
         }
         if (row.runs == plan_.runs) row.hash = hash.text();
         for (const Advice& doubt : outcome.doubts)

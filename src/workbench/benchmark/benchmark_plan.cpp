@@ -69,6 +69,7 @@ BenchmarkTour tour_of(TomlEntry& entry, const Places& places) {
     };
     tour.map = path("map");
     tour.trajectory = path("trajectory");
+    tour.relations = path("relations");
     tour.digest = entry.value_or("digest", std::string(), "a text in quotes");
     tour.address = entry.value_or("address", std::string(), "a text in quotes");
     tour.noise = entry.value_or("noise", 0.0, "a level of 0 or more");

@@ -59,6 +59,7 @@ TEST_F(BenchmarkTest, ReadsAPlan) {
     const BenchmarkPlan read = plan(
         "[[tour]]\nfile = \"near.log\"\nnoise = 1\ndigest = \"x\"\naddress = \"https://a.b\"\n"
         "[[tour]]\nname = \"far\"\nfile = \"away/tour.log.gz\"\ntrajectory = \"/abs.tum\"\n"
+        "relations = \"far.relations\"\n"
         "[[algorithm]]\nname = \"one\"\nset = [\"filter.particles=5\"]\n"
         "[[algorithm]]\nname = \"two\"\nconfig = \"my.cfg\"\n"
         "[[peer]]\nname = \"other\"\ntour = \"far\"\ntrajectory = \"other.tum\"\n");
@@ -70,6 +71,7 @@ TEST_F(BenchmarkTest, ReadsAPlan) {
     EXPECT_EQ(read.tours[0].noise, 1.0);
     EXPECT_EQ(read.tours[1].name, "far");
     EXPECT_EQ(read.tours[1].trajectory, "/abs.tum");
+    EXPECT_EQ(read.tours[1].relations, (folder_ / "far.relations").string());
     ASSERT_EQ(read.algorithms.size(), 2U);
     EXPECT_EQ(read.algorithms[0].preset, "auto");
     EXPECT_EQ(read.algorithms[1].config, (folder_ / "my.cfg").string());
@@ -149,6 +151,27 @@ TEST_F(BenchmarkTest, RepeatsItselfToTheLastBit) {
         EXPECT_LE(row.figures["pose_in_50"]->mean, row.figures["pose_in_95"]->mean);
     }
     EXPECT_NE(one.rows[0].hash, one.rows[1].hash);
+}
+
+TEST_F(BenchmarkTest, MeasuresTheWayAndLoops) {
+    BenchmarkPlan small = plan(kSmall);
+    small.tours[0].settings = {"source.world_set=laser.rate=1 tour.laps=2"};
+    small.algorithms[1] = {"graph", "simulated", "", {"filter.algorithm=graph-slam"}};
+    const BenchmarkTable table = run(small, "out");
+    ASSERT_EQ(table.rows.size(), 2U);
+    const auto mean = [&](std::size_t row, const char* word) {
+        const std::optional<Spread>& spread = table.rows[row].figures[word];
+        return spread ? std::optional(spread->mean) : std::nullopt;
+    };
+    EXPECT_EQ(mean(0, "loops_closed"), std::nullopt) << "it has no registration";
+    EXPECT_GE(mean(1, "loops_closed"), 1.0);
+    EXPECT_EQ(mean(1, "loops_false"), 0.0);
+    for (const std::size_t row : {0U, 1U}) {
+        // Of errors that grow with the way one is the error of many that are shorter.
+        EXPECT_GT(mean(row, "rpe_10m_m"), mean(row, "rpe_1m_m")) << row;
+        EXPECT_GT(mean(row, "rpe_1m_m"), 0.0) << row;
+        EXPECT_EQ(mean(row, "distance_in_95").has_value(), row == 0) << row;
+    }
 }
 
 TEST_F(BenchmarkTest, ABrokenTourIsARowAndNotTheEnd) {

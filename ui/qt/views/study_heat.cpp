@@ -75,9 +75,15 @@ QString unit_of(const Measure& measure) {
 
 std::optional<std::size_t> best_cell(const std::vector<StudyCell>& cells, const Measure& measure) {
     std::optional<std::size_t> best;
+    double least = 0.0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const auto& figures = cells[i].figures[measure];
-        if (figures && (!best || figures->mean < cells[*best].figures[measure]->mean)) best = i;
+        if (!figures) continue;
+        const double away =
+            measure.target ? std::abs(figures->mean - *measure.target) : figures->mean;
+        if (best && !(away < least)) continue;
+        best = i;
+        least = away;
     }
     return best;
 }

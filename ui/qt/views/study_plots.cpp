@@ -3,6 +3,7 @@
 #include <qcustomplot.h>
 
 #include <QBuffer>
+#include <QComboBox>
 #include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMenu>
@@ -43,10 +44,11 @@ QString figure_words(const Measure& measure, const Spread& spread) {
     return (words + ' ' + unit_of(measure)).trimmed();
 }
 
-/// The error of the map where there is a reference, else the first with a plot that was taken.
+/// The error of the map where there is a reference, else the first with a plot that was taken. What
+/// has a value that it ought to have is only looked at by who wants it.
 const Measure& quality_of(const StudyPlan& plan, const std::vector<StudyCell>& cells) {
     for (const Measure* measure : taken_measures()) {
-        if (measure->plot.empty() || measure->is_count()) continue;
+        if (measure->plot.empty() || measure->is_count() || measure->rare) continue;
         const bool due = measure->of_landmarks() && plan.has_reference();
         if (due || has_figures(cells, *measure)) return *measure;
     }
@@ -68,10 +70,21 @@ class ChoiceLine final : public QCPItemStraightLine {
 }  // namespace
 
 StudyPlots::StudyPlots(QWidget* parent)
-    : QWidget(parent), plot_(new QCustomPlot(this)), heat_(new StudyHeat(this)) {
+    : QWidget(parent),
+      choice_(new QComboBox(this)),
+      plot_(new QCustomPlot(this)),
+      heat_(new StudyHeat(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(1, 1, 1, 1);  // where one sees that it has the keyboard
     column->setSpacing(0);
+    choice_->setObjectName("study_figure");
+    choice_->setAccessibleName(tr("Figure of the plot"));
+    choice_->setToolTip(tr("What the plot shows of each run"));
+    choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    column->addWidget(choice_, 0, Qt::AlignLeft);
+    connect(choice_, &QComboBox::activated, this, [this](int place) {
+        show_quality(*qualities().at(static_cast<std::size_t>(place)));
+    });
     column->addWidget(plot_);
     column->addWidget(heat_);
     plot_->setFocusPolicy(Qt::NoFocus);
@@ -154,6 +167,8 @@ void StudyPlots::style(const Colours& c) {
 
 void StudyPlots::clear() {
     cells_.clear();
+    records_.clear();
+    choice_->hide();
     heat_->hide();
     plot_->show();
     choose(std::nullopt);
@@ -210,7 +225,10 @@ void StudyPlots::lay_out_axis(const StudyPlan::Axis& axis) {
 }
 
 void StudyPlots::show_titles(const StudyPlan& plan) {
-    title_of(*plot_, 0, 0)->setText(title_words(*quality_.measure));
+    QString quality = title_words(*quality_.measure);
+    if (quality_.measure->target)
+        quality += tr("; dashed: %1, as it ought to be").arg(*quality_.measure->target);
+    title_of(*plot_, 0, 0)->setText(quality);
     QString landmarks = title_words(*landmarks_.measure);
     if (plan.has_reference()) {
         landmarks +=
@@ -247,31 +265,66 @@ void StudyPlots::draw(const Panel& panel) {
 
 void StudyPlots::show_results(const StudyPlan& plan, const std::vector<StudyRecord>& records) {
     plan_ = plan;
+    records_ = records;
     cells_ = summarize(plan, records);
     for (std::size_t run = 0; run < records.size(); ++run) {  // those still to come have not failed
         if (!records[run].ok && records[run].problem.empty()) --cells_[plan.cell_of(run)].failed;
     }
     setFocusPolicy(Qt::StrongFocus);
-    quality_.measure = &quality_of(plan, cells_);
-    const bool two = plan.axes.size() > 1;
+    show_figures();
+}
+
+std::vector<const Measure*> StudyPlots::qualities() const {
+    std::vector<const Measure*> offered;
+    for (const Measure* measure : taken_measures()) {
+        if (measure->plot.empty() || measure == landmarks_.measure) continue;
+        if (measure == quality_.measure || has_figures(cells_, *measure)) offered.push_back(measure);
+    }
+    return offered;
+}
+
+void StudyPlots::show_quality(const Measure& measure) {
+    wanted_ = &measure;
+    show_figures();
+    choose(chosen_);  // its words have changed
+}
+
+void StudyPlots::offer_qualities() {
+    const QSignalBlocker quiet(choice_);
+    choice_->clear();
+    for (const Measure* measure : qualities()) {
+        choice_->addItem(axis_words(*measure));
+        if (measure == quality_.measure) choice_->setCurrentIndex(choice_->count() - 1);
+    }
+    choice_->setVisible(choice_->count() > 1);
+}
+
+void StudyPlots::show_figures() {
+    const bool has_wanted = wanted_ != nullptr && has_figures(cells_, *wanted_);
+    quality_.measure = has_wanted ? wanted_ : &quality_of(plan_, cells_);
+    offer_qualities();
+    const bool two = plan_.axes.size() > 1;
     plot_->setHidden(two);
     heat_->setHidden(!two);
-    if (two) return heat_->show_results(plan, cells_, *quality_.measure);
-    show_titles(plan);
-    lay_out_axis(plan.axes.front());
+    if (two) return heat_->show_results(plan_, cells_, *quality_.measure);
+    show_titles(plan_);
+    lay_out_axis(plan_.axes.front());
     for (const Panel* panel : {&quality_, &landmarks_}) {
         panel->runs->data()->clear();
-        for (std::size_t run = 0; run < records.size(); ++run) {
-            if (const auto& figure = records[run].figures[*panel->measure])
-                panel->runs->addData(x_.positions[plan.cell_of(run)], *figure);
+        for (std::size_t run = 0; run < records_.size(); ++run) {
+            if (const auto& figure = records_[run].figures[*panel->measure])
+                panel->runs->addData(x_.positions[plan_.cell_of(run)], *figure);
         }
     }
     const QCPRange range = landmarks_.rect->axis(QCPAxis::atBottom)->range();
-    landmarks_.reference->data()->clear();
-    if (plan.has_reference()) {
-        const double known = plan.reference_lines + plan.reference_corners;
-        landmarks_.reference->setData({range.lower, range.upper}, {known, known});
-    }
+    const auto level = [&](const Panel& panel, std::optional<double> value) {
+        panel.reference->data()->clear();
+        if (value) panel.reference->setData({range.lower, range.upper}, {*value, *value});
+    };
+    level(quality_, quality_.measure->target);
+    level(landmarks_, plan_.has_reference()
+                          ? std::optional<double>(plan_.reference_lines + plan_.reference_corners)
+                          : std::nullopt);
     draw(quality_);
     draw(landmarks_);
     plot_->replot(QCustomPlot::rpQueuedReplot);

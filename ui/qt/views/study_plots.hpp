@@ -15,6 +15,7 @@ class QCPAxisRect;
 class QCPErrorBars;
 class QCPGraph;
 class QCPItemStraightLine;
+class QComboBox;
 class QCustomPlot;
 
 namespace hitos::window {
@@ -23,7 +24,8 @@ class StudyHeat;
 
 /// Quality and number of landmarks against the parameter's values: every run, mean and
 /// standard deviation, and how many landmarks the reference has. Quality is the error of the map;
-/// without a reference the error of the path; where that is unknown too, the blur of the grid map.
+/// without a reference the error of the path; where that is unknown too, the blur of the grid map;
+/// or another figure that the user chooses, such as how often the truth lies in the filter's regions.
 /// Of two parameters the quality alone, as a map of colours. One value, or pair of values, can be
 /// chosen: by a click or the arrow keys, which begin at the best.
 class StudyPlots final : public QWidget {
@@ -43,6 +45,9 @@ class StudyPlots final : public QWidget {
     /// The cell of the plan that is chosen.
     std::optional<std::size_t> chosen() const { return chosen_; }
     void choose(std::optional<std::size_t> cell);
+    /// What can be looked at as quality: what the runs have.
+    std::vector<const Measure*> qualities() const;
+    void show_quality(const Measure& measure);
     /// Values, runs and figures of a cell.
     QString words_of_cell(std::size_t cell) const;
 
@@ -75,6 +80,8 @@ class StudyPlots final : public QWidget {
 
     Panel make_panel(int row);
     void show_titles(const StudyPlan& plan);
+    void show_figures();
+    void offer_qualities();
     void style(const Colours& colours);
     void lay_out_axis(const StudyPlan::Axis& axis);
     void draw(const Panel& panel);
@@ -84,13 +91,16 @@ class StudyPlots final : public QWidget {
     std::optional<std::size_t> beside(int across, int up) const;
     void tell(std::optional<std::size_t> cell, const QPoint& place);
 
+    QComboBox* choice_;
     QCustomPlot* plot_;
     StudyHeat* heat_;
     Panel quality_;
     Panel landmarks_;
     StudyAbscissa x_;
     StudyPlan plan_;
+    std::vector<StudyRecord> records_;
     std::vector<StudyCell> cells_;
+    const Measure* wanted_ = nullptr;  // as quality; null: what suits
     std::optional<std::size_t> chosen_;
 };
 

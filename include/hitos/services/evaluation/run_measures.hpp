@@ -9,7 +9,10 @@
 
 #include "hitos/base/registry.hpp"
 #include "hitos/services/evaluation/measures.hpp"
+#include "hitos/services/evaluation/relations.hpp"
+#include "hitos/services/evaluation/relative_error.hpp"
 #include "hitos/services/evaluation/run_evidence.hpp"
+#include "hitos/services/evaluation/run_loops.hpp"
 
 namespace hitos {
 
@@ -23,6 +26,9 @@ struct RunErrors {
     std::optional<AlignedMapError> aligned_map_error;
     std::optional<TrajectoryError> trajectory_error;
     std::optional<TrajectoryError> odometry_error;
+    std::optional<RelativeError> relative_error_1m;   ///< over every metre of the way
+    std::optional<RelativeError> relative_error_10m;  ///< over every ten
+    std::optional<RelationErrors> relation_errors;
 };
 
 /// A run as its figures are taken of it.
@@ -33,6 +39,8 @@ struct MeasuredRun {
     const Trajectory& path;  ///< likewise
     const RunErrors& errors;
     const Grid* grid;  ///< along the path; null where nobody draws it, as for a summary
+    /// Judged, where there is a reference; null where there was nothing to close any.
+    const std::vector<RunLoop>* loops = nullptr;
     const Calibration* calibration = nullptr;  ///< null where the truth is not known
 };
 
@@ -52,7 +60,8 @@ struct Measure {
     /// Gives it, where the run has it. Null: only summary.json states it, and says so by itself.
     std::optional<double> (*take)(const MeasuredRun&) = nullptr;
     std::string purpose = {};  ///< half a sentence for help texts
-    /// Beside the axis of its plot: HITOS_TEXT("Measure", "map error"); empty: none is drawn.
+    /// Beside the axis of its plot: HITOS_TEXT("Measure", "map error"); empty: none is drawn. Those
+    /// of rare ones only the window draws.
     std::string plot = {};
     /// Tables tell its variance, minimum and maximum over several runs too [T 10.3].
     bool spread = false;

@@ -30,6 +30,7 @@ std::string build_identity();
 struct References {
     std::optional<LandmarkMap> map;
     std::optional<Trajectory> trajectory;  ///< of the clock of the scans' stamps, in any frame
+    std::vector<PoseRelation> relations;   ///< likewise of that clock; empty: none
     double tolerance_s = kSameStamp;       ///< of trajectory_error()
     std::vector<NamedDistance> distances;  ///< in the map's frame
     Walls walls;                           ///< true walls for pictures, in the map's frame

@@ -14,6 +14,7 @@
 #include "hitos/services/evaluation/run_evidence.hpp"
 #include "hitos/services/grid/grid.hpp"
 #include "hitos/services/run/run_state.hpp"
+#include "hitos/services/run/stage_seconds.hpp"
 
 namespace hitos {
 
@@ -36,6 +37,8 @@ struct AlgoritmoOptions {
     bool figures = true;
     /// Doubt what is read of the tour.
     bool examine = true;
+    /// Measure what the stages of its steps take.
+    bool time_stages = false;
     /// Told after every scan, on the thread of the run: the scan, and its pose by odometry alone.
     std::function<void(const Scan& scan, const Pose& pose)> taken = nullptr;
     /// Makes what finds the features; null: the one that the configuration asks for.
@@ -96,6 +99,10 @@ class Algoritmo {
     /// Those of registration's keys; empty where no grid is drawn.
     const std::vector<std::shared_ptr<const Scan>>& key_scans() const { return state_.key_scans; }
     const Observation& observation() const { return state_.observation; }  ///< its features
+    /// All 0 unless the options ask for it.
+    const StageSeconds& stages() const { return stages_; }
+    /// Memory that its state takes, about.
+    std::size_t state_bytes() const { return state_.bytes(); }
     /// Whether a sensor told landmarks so far, and no laser showed what is between them.
     bool shows_landmarks_alone() const { return state_.saw_landmarks && !state_.saw_points; }
     const ReadReport& report() const { return reader_->report(); }
@@ -153,6 +160,8 @@ class Algoritmo {
     void note_scan();
     void draw_scan(bool key);
     void begin_second_tour();
+    /// What the thread did since it was asked before was of this stage.
+    void ends(RunStage stage);
     /// The end of a tour.
     void finish(bool another_follows);
     /// Carries a correction by registration, if there is one, to the filter and the grid.
@@ -171,6 +180,8 @@ class Algoritmo {
     mutable std::uint64_t step_grid_redrawn_ = 0;
     CellArea step_grid_change_;
     std::vector<Control> step_controls_;
+    StageSeconds stages_{};
+    double stage_began_ = 0.0;
 };
 
 }  // namespace hitos

@@ -24,6 +24,8 @@ struct BenchmarkRow {
     ByMeasure<Spread> figures;
     double cpu_seconds = 0.0;  ///< of one run, in the mean; not reproducible
     double scans = 0.0;        ///< of one run, in the mean
+    std::optional<StageSeconds> stages;  ///< of one run, in the mean; parts of cpu_seconds
+    double state_bytes = 0.0;            ///< that the state of a run took in the end, at the most
     /// Of all that its runs gave, bit by bit: figures and maps. Empty where one failed.
     std::string hash;
     std::string problem;        ///< why there is no figure, or why runs failed; else empty
@@ -42,11 +44,14 @@ struct BenchmarkTable {
     bool stopped = false;            ///< before all was done
 };
 
-/// Writes benchmark.json, .csv, .md, .tex and .html, all of them or none. Throws FileError.
-void write_benchmark(const BenchmarkTable& table, const std::filesystem::path& out);
+/// Writes benchmark.json, .csv, .md, .tex and .html, all of them or none, and where the truth is
+/// known calibration.png and .svg; gives the reason where these cannot be drawn. Throws FileError.
+Message write_benchmark(const BenchmarkTable& table, const std::filesystem::path& out);
 
 /// The table as a row a row, with the digits that mean something; "m²", or for latex() "m^2".
 TextTable benchmark_table(const BenchmarkTable& table, bool for_latex = false);
+/// Where the time of a run went, and its memory, row by row; empty where no row tells.
+TextTable benchmark_costs(const BenchmarkTable& table);
 /// The same with every digit, as one JSON object.
 std::string benchmark_json(const BenchmarkTable& table);
 /// Reads what write_benchmark() wrote to that folder. Throws FileError and FormatError.

@@ -15,6 +15,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/message.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/services/evaluation/relations.hpp"
 #include "hitos/services/evaluation/suitability.hpp"
 #include "hitos/services/files/map_file.hpp"
 #include "hitos/services/files/trajectory_file.hpp"
@@ -59,6 +60,7 @@ struct Study {
     LandmarkMap reference;  ///< empty: none; runs are then measured by their paths and grids
     /// The true path, in any frame, of the log's clock. Where it is not given, the tour is asked.
     std::optional<Trajectory> reference_trajectory;
+    std::vector<PoseRelation> relations;  ///< to be measured, of the log's clock
     /// Grids are drawn, and their blur measured, where pictures are asked for or there is no
     /// reference map: they cost about a fifth of a run of 100 particles.
     StudyPictures pictures = StudyPictures::none;

@@ -13,6 +13,7 @@
 #include "hitos/base/message.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/services/evaluation/run_measures.hpp"
+#include "hitos/services/run/stage_seconds.hpp"
 #include "hitos/services/study/study_values.hpp"
 
 namespace hitos {
@@ -118,6 +119,8 @@ struct StudyRecord {
     ReadReport report;         ///< of its log, with few examples; not of a run that failed
     double seconds = 0.0;      ///< wall time; these two are not reproducible
     double cpu_seconds = 0.0;  ///< of the run's thread, which other programs hardly lengthen
+    std::optional<StageSeconds> stages = {};  ///< these, likewise; nothing of earlier versions
+    std::size_t state_bytes = 0;  ///< memory that the run's state took at its end, about
     std::string map_digest;    ///< of the map file
     std::optional<StudyPicture> picture;
 };

@@ -1,0 +1,124 @@
+#include "calibration_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "hitos/services/drawing/gnuplot.hpp"
+
+namespace hitos::study {
+namespace {
+
+constexpr std::array kRegionWords{"50", "68", "95", "99"};
+
+struct Panel {
+    const char* of;  // as measures' words begin
+    const char* title;
+};
+constexpr std::array kPanels{Panel{"pose", "poses"}, Panel{"landmark", "landmarks"},
+                             Panel{"distance", "distances"}};
+
+std::string word_of(const char* of, const char* region) {
+    return fmt::format("{}_in_{}", of, region);
+}
+
+std::optional<double> share(const ByMeasure<Spread>& figures, const char* of, const char* region) {
+    const std::optional<Spread>& spread = figures[word_of(of, region)];
+    return spread ? std::optional(spread->mean) : std::nullopt;
+}
+
+bool has(const CalibrationCurve& curve, const Panel& panel) {
+    return share(*curve.figures, panel.of, kRegionWords.front()).has_value();
+}
+
+/// A block for each curve: what it ought to be, and the shares of the panels.
+std::string data_text(std::span<const CalibrationCurve> curves) {
+    std::string text = "# expected poses landmarks distances\n";
+    for (const CalibrationCurve& curve : curves) {
+        if (&curve != &curves.front()) text += "\n\n";
+        for (const char* region : kRegionWords) {
+            text += fmt::format("0.{}", region);
+            for (const Panel& panel : kPanels) {
+                const auto seen = share(*curve.figures, panel.of, region);
+                text += seen ? fmt::format(" {}", *seen) : " NaN";
+            }
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+std::string script_text(const std::string& stem, std::span<const CalibrationCurve> curves) {
+    std::vector<std::size_t> panels;
+    for (std::size_t i = 0; i < kPanels.size(); ++i) {
+        if (std::ranges::any_of(curves, [&](const auto& one) { return has(one, kPanels.at(i)); }))
+            panels.push_back(i);
+    }
+    constexpr int kWidth = 420;   // pixels, of a panel
+    constexpr int kLegend = 330;  // and of what the curves are called, at the right
+    constexpr int kAxis = 70;
+    constexpr int kGap = 15;
+    const int width = kWidth * static_cast<int>(panels.size()) + kLegend;
+    std::string body =
+        "set xlabel 'expected share'\nset ylabel 'share seen'\nset xrange [0.45:1]\nset yrange [0:1]\nset grid\n"
+        "set xtics (0.5, 0.68, 0.95)\nset size ratio 1\n";
+    for (std::size_t at = 0; at < panels.size(); ++at) {
+        const std::size_t place = panels[at];
+        const bool last = at + 1 == panels.size();
+        const int left = kWidth * static_cast<int>(at);
+        body += last ? "set key at screen 0.995,0.9 right top noenhanced\n" : "set key off\n";
+        body += fmt::format("set title 'true {} in the region'\n", kPanels.at(place).title);
+        body += fmt::format(
+            "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n",
+            static_cast<double>(left + kAxis) / width,
+            static_cast<double>(left + kWidth - kGap) / width);
+        std::string plot = "plot x with lines dashtype 2 linecolor 'black' title 'as it ought to be'";
+        for (std::size_t i = 0; i < curves.size(); ++i) {
+            plot += fmt::format(
+                ", \\\n     {} index {} using 1:{} with linespoints linewidth 1.5 pointtype 7 "
+                "pointsize 0.7 linecolor {} title {}",
+                gnuplot_file(stem + ".dat"), i, place + 2, i + 1, gnuplot_quoted(curves[i].name));
+        }
+        body += plot + "\n";
+    }
+    std::string text = gnuplot_head(stem + ".gp");
+    for (const auto& [extension, terminal] :
+         {std::pair("png", "pngcairo"), std::pair("svg", "svg")}) {
+        text += fmt::format("set terminal {} size {},{}\nset output {}\nset multiplot layout 1,{}\n{}"
+                            "unset multiplot\n",
+                            terminal, width, kWidth + 20, gnuplot_file(stem + "." + extension),
+                            panels.size(), body);
+    }
+    return text + "unset output\n";
+}
+
+}  // namespace
+
+ByMeasure<Spread> mean_shares(std::span<const ByMeasure<Spread>* const> rows) {
+    ByMeasure<Spread> mean;
+    for (const Panel& panel : kPanels) {
+        for (const char* region : kRegionWords) {
+            std::vector<double> shares;
+            for (const ByMeasure<Spread>* row : rows)
+                if (const auto seen = share(*row, panel.of, region)) shares.push_back(*seen);
+            mean[word_of(panel.of, region)] = spread_of(shares);
+        }
+    }
+    return mean;
+}
+
+Message write_calibration(const StudyLayout& layout, std::span<const CalibrationCurve> curves) {
+    const bool any = std::ranges::any_of(kPanels, [&](const Panel& panel) {
+        return std::ranges::any_of(curves, [&](const auto& one) { return has(one, panel); });
+    });
+    if (!any) return {};
+    const std::string stem = layout.prefix + kCalibrationPlot;
+    const std::vector<PlotFile> files{{stem + ".dat", data_text(curves)},
+                                      {stem + ".gp", script_text(stem, curves)}};
+    const std::vector<std::string> pictures{stem + ".png", stem + ".svg"};
+    return draw_pictures(layout.folder, files, stem + ".gp", pictures);
+}
+
+}  // namespace hitos::study
