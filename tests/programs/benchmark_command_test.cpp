@@ -103,7 +103,8 @@ TEST_F(BenchmarkCommand, MeasuresTheRelationsOfAFolder) {
             "expected files such as recinto.relations");
     // The robot is where it is, and a metre off.
     file("relations/recinto.relations", "2 2 0 0 0 0 0 0\n2 2 1 0 0 0 0 0\n");
-    const json told = object(plan() + " --no-pictures --relations " + folder + " --out " + path("out"));
+    const json told =
+        object(plan() + " --no-pictures --relations " + folder + " --out " + path("out"));
     for (const json& row : told.at("rows"))
         EXPECT_EQ(row.at("relations_m").at("mean"), 0.5) << row.dump();
 }

@@ -162,8 +162,7 @@ void count_distances(Coverage& coverage, const SlamFilter& filter,
                 if (!one.places[pair.a] || !one.places[pair.b]) continue;
                 const ICaracteristica& a = one.map[*one.places[pair.a]];
                 const ICaracteristica& b = one.map[*one.places[pair.b]];
-                const auto from =
-                    offset_of(std::get<Recta>(a.value), pair.midway, pair.direction);
+                const auto from = offset_of(std::get<Recta>(a.value), pair.midway, pair.direction);
                 const auto to = offset_of(std::get<Recta>(b.value), pair.midway, pair.direction);
                 if (!from || !to) continue;
                 const double variance = (from->by * a.covariance * from->by.transpose() +

@@ -61,8 +61,8 @@ std::vector<Measure> relative_measures() {
         {"relations_m", "relations", About::path, "m", 3, "",
          &of_relations<&RelationErrors::translation_m>,
          "mean error of the way between the poses of the relations"},
-        {"relations_turn_deg", "relations' turn", About::path, "deg", 3, "",
-         &turn_of_relations, "mean error of the turn between them"}};
+        {"relations_turn_deg", "relations' turn", About::path, "deg", 3, "", &turn_of_relations,
+         "mean error of the turn between them"}};
     for (Measure& measure : measures) {
         measure.rare = true;
         measure.detail = measure.word.starts_with("rpe_1m") || measure.word.ends_with("turn_deg");

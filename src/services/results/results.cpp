@@ -179,8 +179,8 @@ RunErrors errors_of(const Algoritmo& run, const LandmarkMap& map, const Trajecto
         errors.relative_error_10m = relative(10.0);
     }
     if (!references.relations.empty()) {
-        const RelationErrors measured = relation_errors(
-            measure_relations(path, references.relations, references.tolerance_s));
+        const RelationErrors measured =
+            relation_errors(measure_relations(path, references.relations, references.tolerance_s));
         if (measured.used > 0) errors.relation_errors = measured;
     }
     return errors;

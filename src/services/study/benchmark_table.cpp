@@ -5,11 +5,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "calibration_plot.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/staged_files.hpp"
 #include "hitos/base/text_input.hpp"
-#include "calibration_plot.hpp"
 #include "json_input.hpp"
 #include "spread_json.hpp"
 
@@ -135,8 +135,7 @@ std::string benchmark_html(const BenchmarkTable& table, const std::filesystem::p
     for (rest = all; const auto line = input::next_line(rest);) {
         if (!line->empty()) html += fmt::format("<p>{}</p>\n", in_html(*line));
     }
-    if (const TextTable costs = benchmark_costs(table); !costs.rows.empty())
-        add_table(html, costs);
+    if (const TextTable costs = benchmark_costs(table); !costs.rows.empty()) add_table(html, costs);
     const std::string plot = std::string(study::kCalibrationPlot) + ".svg";
     if (std::error_code none; std::filesystem::exists(out / plot, none)) {
         html += fmt::format(
@@ -248,7 +247,8 @@ TextTable benchmark_table(const BenchmarkTable& table, bool for_latex) {
             fields.push_back(row.reference_landmarks ? fmt::format("{}", *row.reference_landmarks)
                                                      : kNoFigure);
         }
-        fields.push_back(row.scans > 0.0 ? fmt::format("{:.2f}", ms_per_scan(row, row.cpu_seconds)) : kNoFigure);
+        fields.push_back(row.scans > 0.0 ? fmt::format("{:.2f}", ms_per_scan(row, row.cpu_seconds))
+                                         : kNoFigure);
         fields.push_back(row.hash.empty() ? kNoFigure : row.hash.substr(0, kShortHash));
         text.rows.push_back(std::move(fields));
     }

@@ -62,7 +62,8 @@ std::string script_text(const std::string& stem, std::span<const CalibrationCurv
     constexpr int kGap = 15;
     const int width = kWidth * static_cast<int>(panels.size()) + kLegend;
     std::string body =
-        "set xlabel 'expected share'\nset ylabel 'share seen'\nset xrange [0.45:1]\nset yrange [0:1]\nset grid\n"
+        "set xlabel 'expected share'\nset ylabel 'share seen'\nset xrange [0.45:1]\nset yrange "
+        "[0:1]\nset grid\n"
         "set xtics (0.5, 0.68, 0.95)\nset size ratio 1\n";
     for (std::size_t at = 0; at < panels.size(); ++at) {
         const std::size_t place = panels[at];
@@ -70,11 +71,11 @@ std::string script_text(const std::string& stem, std::span<const CalibrationCurv
         const int left = kWidth * static_cast<int>(at);
         body += last ? "set key at screen 0.995,0.9 right top noenhanced\n" : "set key off\n";
         body += fmt::format("set title 'true {} in the region'\n", kPanels.at(place).title);
-        body += fmt::format(
-            "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n",
-            static_cast<double>(left + kAxis) / width,
-            static_cast<double>(left + kWidth - kGap) / width);
-        std::string plot = "plot x with lines dashtype 2 linecolor 'black' title 'as it ought to be'";
+        body += fmt::format("set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n",
+                            static_cast<double>(left + kAxis) / width,
+                            static_cast<double>(left + kWidth - kGap) / width);
+        std::string plot =
+            "plot x with lines dashtype 2 linecolor 'black' title 'as it ought to be'";
         for (std::size_t i = 0; i < curves.size(); ++i) {
             plot += fmt::format(
                 ", \\\n     {} index {} using 1:{} with linespoints linewidth 1.5 pointtype 7 "
@@ -86,10 +87,11 @@ std::string script_text(const std::string& stem, std::span<const CalibrationCurv
     std::string text = gnuplot_head(stem + ".gp");
     for (const auto& [extension, terminal] :
          {std::pair("png", "pngcairo"), std::pair("svg", "svg")}) {
-        text += fmt::format("set terminal {} size {},{}\nset output {}\nset multiplot layout 1,{}\n{}"
-                            "unset multiplot\n",
-                            terminal, width, kWidth + 20, gnuplot_file(stem + "." + extension),
-                            panels.size(), body);
+        text += fmt::format(
+            "set terminal {} size {},{}\nset output {}\nset multiplot layout 1,{}\n{}"
+            "unset multiplot\n",
+            terminal, width, kWidth + 20, gnuplot_file(stem + "." + extension), panels.size(),
+            body);
     }
     return text + "unset output\n";
 }

@@ -102,8 +102,8 @@ std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& la
     const RunEvidence evidence = run.evidence();
     std::vector<RunLoop> loops;
     if (evidence.registration != nullptr) {
-        loops = run_loops(evidence.registration->loops(), evidence.registration->refused_loops(),
-                          path);
+        loops =
+            run_loops(evidence.registration->loops(), evidence.registration->refused_loops(), path);
         if (references.trajectory)
             judge_loops(loops, *references.trajectory, references.tolerance_s);
     }

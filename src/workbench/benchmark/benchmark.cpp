@@ -205,8 +205,7 @@ class Work {
             }
             row.cpu_seconds += record.cpu_seconds / cell.finished;
             row.scans += static_cast<double>(record.scans) / cell.finished;
-            row.state_bytes =
-                std::max(row.state_bytes, static_cast<double>(record.state_bytes));
+            row.state_bytes = std::max(row.state_bytes, static_cast<double>(record.state_bytes));
             if (!record.stages) continue;
             if (!row.stages) row.stages.emplace();
             for (std::size_t i = 0; i < kRunStages.size(); ++i)

@@ -3420,6 +3420,22 @@
         <source>landmarks</source>
         <translation>hitos</translation>
     </message>
+    <message>
+        <source>relative error in 10 m</source>
+        <translation>error relativo en 10 m</translation>
+    </message>
+    <message>
+        <source>true poses in the region of 95 %</source>
+        <translation>poses verdaderas en la región del 95 %</translation>
+    </message>
+    <message>
+        <source>true landmarks in the region of 95 %</source>
+        <translation>hitos verdaderos en la región del 95 %</translation>
+    </message>
+    <message>
+        <source>true distances in the region of 95 %</source>
+        <translation>distancias verdaderas en la región del 95 %</translation>
+    </message>
 </context>
 <context>
     <name>Parameter</name>
@@ -8480,6 +8496,18 @@
     <message>
         <source>Failed: %1</source>
         <translation>Fallidas: %1</translation>
+    </message>
+    <message>
+        <source>Figure of the plot</source>
+        <translation>Cifra de la gráfica</translation>
+    </message>
+    <message>
+        <source>What the plot shows of each run</source>
+        <translation>Qué muestra la gráfica de cada ejecución</translation>
+    </message>
+    <message>
+        <source>; dashed: %1, as it ought to be</source>
+        <translation>; a trazos: %1, como debería ser</translation>
     </message>
 </context>
 <context>

@@ -82,9 +82,8 @@ StudyPlots::StudyPlots(QWidget* parent)
     choice_->setToolTip(tr("What the plot shows of each run"));
     choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     column->addWidget(choice_, 0, Qt::AlignLeft);
-    connect(choice_, &QComboBox::activated, this, [this](int place) {
-        show_quality(*qualities().at(static_cast<std::size_t>(place)));
-    });
+    connect(choice_, &QComboBox::activated, this,
+            [this](int place) { show_quality(*qualities().at(static_cast<std::size_t>(place))); });
     column->addWidget(plot_);
     column->addWidget(heat_);
     plot_->setFocusPolicy(Qt::NoFocus);
@@ -278,7 +277,8 @@ std::vector<const Measure*> StudyPlots::qualities() const {
     std::vector<const Measure*> offered;
     for (const Measure* measure : taken_measures()) {
         if (measure->plot.empty() || measure == landmarks_.measure) continue;
-        if (measure == quality_.measure || has_figures(cells_, *measure)) offered.push_back(measure);
+        if (measure == quality_.measure || has_figures(cells_, *measure))
+            offered.push_back(measure);
     }
     return offered;
 }

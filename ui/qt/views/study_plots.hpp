@@ -25,9 +25,9 @@ class StudyHeat;
 /// Quality and number of landmarks against the parameter's values: every run, mean and
 /// standard deviation, and how many landmarks the reference has. Quality is the error of the map;
 /// without a reference the error of the path; where that is unknown too, the blur of the grid map;
-/// or another figure that the user chooses, such as how often the truth lies in the filter's regions.
-/// Of two parameters the quality alone, as a map of colours. One value, or pair of values, can be
-/// chosen: by a click or the arrow keys, which begin at the best.
+/// or another figure that the user chooses, such as how often the truth lies in the filter's
+/// regions. Of two parameters the quality alone, as a map of colours. One value, or pair of values,
+/// can be chosen: by a click or the arrow keys, which begin at the best.
 class StudyPlots final : public QWidget {
     Q_OBJECT
 

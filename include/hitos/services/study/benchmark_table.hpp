@@ -22,8 +22,8 @@ struct BenchmarkRow {
     int failed = 0;
     std::optional<int> reference_landmarks;  ///< of the reference map
     ByMeasure<Spread> figures;
-    double cpu_seconds = 0.0;  ///< of one run, in the mean; not reproducible
-    double scans = 0.0;        ///< of one run, in the mean
+    double cpu_seconds = 0.0;            ///< of one run, in the mean; not reproducible
+    double scans = 0.0;                  ///< of one run, in the mean
     std::optional<StageSeconds> stages;  ///< of one run, in the mean; parts of cpu_seconds
     double state_bytes = 0.0;            ///< that the state of a run took in the end, at the most
     /// Of all that its runs gave, bit by bit: figures and maps. Empty where one failed.

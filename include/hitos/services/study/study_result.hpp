@@ -121,7 +121,7 @@ struct StudyRecord {
     double cpu_seconds = 0.0;  ///< of the run's thread, which other programs hardly lengthen
     std::optional<StageSeconds> stages = {};  ///< these, likewise; nothing of earlier versions
     std::size_t state_bytes = 0;  ///< memory that the run's state took at its end, about
-    std::string map_digest;    ///< of the map file
+    std::string map_digest;       ///< of the map file
     std::optional<StudyPicture> picture;
 };
 

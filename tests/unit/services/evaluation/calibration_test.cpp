@@ -190,11 +190,11 @@ TEST(CalibrationOfDistances, OfTrueCovariancesEveryRegionHoldsItsShare) {
         Eigen::VectorXd draw(7);
         for (double& value : draw) value = normal(random);
         const Eigen::VectorXd error = root * draw;
-        count_distances(coverage,
-                        ToldMaps({{line(1.0 + error(3), error(4), 0.1),
-                                   line(4.0 + error(5), error(6), 0.1)}},
-                                 joint),
-                        seen_walls(), walls());
+        count_distances(
+            coverage,
+            ToldMaps({{line(1.0 + error(3), error(4), 0.1), line(4.0 + error(5), error(6), 0.1)}},
+                     joint),
+            seen_walls(), walls());
     }
     EXPECT_EQ(coverage.count(), kDraws);
     EXPECT_NEAR(coverage.mean(), 1.0, 0.05);
@@ -212,9 +212,9 @@ TEST(CalibrationOfDistances, AreBetweenWallsBesideEachOtherThatWereSeen) {
         count_distances(coverage, filter, extents, truth);
         return coverage.count();
     };
-    EXPECT_EQ(count(seen, ToldMaps({map, map})), 2);   // 10 m and 3 m, not 13
+    EXPECT_EQ(count(seen, ToldMaps({map, map})), 2);          // 10 m and 3 m, not 13
     EXPECT_EQ(count(seen_walls(), ToldMaps({map, map})), 1);  // one was not seen
-    EXPECT_EQ(count(seen, ToldMaps({map})), 0);        // which has no joint covariance
+    EXPECT_EQ(count(seen, ToldMaps({map})), 0);               // which has no joint covariance
     LandmarkMap askew = map;
     std::get<Recta>(askew[1].value).theta = 0.4;
     EXPECT_EQ(count(seen, ToldMaps({askew, askew})), 1);
