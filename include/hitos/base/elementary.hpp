@@ -43,6 +43,7 @@ HITOS_INLINE double wrap(double angle) {
     return low > kHalf ? low - kWhole : low;
 }
 
+/// Both of one angle.
 struct SineCosine {
     double sine;
     double cosine;

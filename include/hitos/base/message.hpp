@@ -16,7 +16,7 @@
 
 namespace hitos {
 
-/// Words that may hold what ends a C string or steers a terminal: control characters as \x1b, but
+/// Words that may hold what ends a C string or steers a terminal: control characters as `\x1b`, but
 /// for line ends and tabulators.
 std::string without_control(std::string_view words);
 /// A name as it stands within a line: line ends and tabulators too.
@@ -24,8 +24,8 @@ std::string on_one_line(std::string_view name);
 
 /// A sentence and what stands in it. The English text with its places %1 … %9 is the code by which
 /// a translation is found; what goes to those places is told as it is (paths, numbers, keys, what
-/// was found; control characters as \x1b) or is a message itself. Only the functions below make
-/// one, so that no sentence is told that nobody can translate.
+/// was found; control characters by their codes) or is a message itself. Only the functions below
+/// make one, so that no sentence is told that nobody can translate.
 class Message {
   public:
     /// What a text in English is in another language.

@@ -23,6 +23,7 @@ enum class RandomPurpose : std::uint32_t {
     association = 6
 };
 
+/// Two draws that come together.
 struct NormalPair {
     double one;
     double other;

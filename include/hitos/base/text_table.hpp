@@ -32,7 +32,7 @@ std::string csv(const TextTable& table);
 /// A table of pipes, its columns flush right.
 std::string markdown(const TextTable& table);
 
-/// A tabular between two \hline; "m^2" gets its exponent, and what TeX would read is escaped.
+/// A tabular between two `\hline`; "m^2" gets its exponent, and what TeX would read is escaped.
 std::string latex(const TextTable& table);
 
 }  // namespace hitos

@@ -18,6 +18,7 @@ inline bool is_of_mrclam(std::string_view text) {
     return text.starts_with("# UTIAS Multi-Robot Cooperative Localization and Mapping");
 }
 
+/// The numbers of a line of a file of MRCLAM.
 template <std::size_t N>
 struct MrclamRow {
     std::array<double, N> values;

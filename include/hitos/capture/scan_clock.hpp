@@ -12,6 +12,7 @@ namespace hitos {
 /// What is to be added to the scans' times, by how long the tour has lasted.
 class ScanClock {
   public:
+    /// So many seconds are added at that one.
     struct Point {
         double at_s = 0.0;  ///< since the first scan
         double added_s = 0.0;

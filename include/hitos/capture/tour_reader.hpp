@@ -18,6 +18,7 @@ namespace hitos {
 
 /// What was read, and what was left out of a log and why.
 struct ReadReport {
+    /// A line that was left out, and why.
     struct Skip {
         std::uint64_t line = 0;
         Message reason;

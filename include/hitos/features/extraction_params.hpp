@@ -67,6 +67,7 @@ enum class CornerLines {
     fitted     ///< total least squares over all points of each, however the line itself is fitted
 };
 
+/// How features are found in a scan, and how sure they are taken to be.
 struct ExtractionParams {
     Detection detect = Detection::both;
     std::string method = "split-merge";  ///< which finds the lines: a word of line_methods()

@@ -23,6 +23,7 @@ struct EditedScan {
     friend bool operator==(const EditedScan&, const EditedScan&) = default;
 };
 
+/// A change by hand of the graph; scans are named by their numbers, from 0.
 struct GraphEdit {
     enum class Kind : std::uint8_t {
         refuse,  ///< `scan` has not come back to `earlier`, nor have the next ones to its

@@ -28,6 +28,7 @@ struct ComparedLandmark {
     Standing standing = Standing::candidate;
 };
 
+/// What became of a feature, and all landmarks that it was compared with.
 struct RecordedFeature {
     Association decision;
     std::vector<ComparedLandmark> compared;

@@ -55,6 +55,7 @@ enum class AmbiguityRule {
     off               ///< there is no ambiguity: the best landmark takes the observation
 };
 
+/// How features and landmarks are paired.
 struct AssociationParams {
     AssociationMethod method = AssociationMethod::maximum_likelihood;
     double p0 = 0.005;                ///< likelihood of a new landmark
@@ -82,6 +83,7 @@ struct LandmarkParams {
 
 enum class ResamplingRule { always, neff };
 
+/// When and how particles are drawn anew.
 struct ResamplingParams {
     ResamplingRule rule = ResamplingRule::always;
     double neff_threshold = 50.0;         ///< effective particles below which `neff` resamples

@@ -53,6 +53,7 @@ struct PlanarEdge {
     Eigen::Index size() const { return kind == Kind::step || kind == Kind::pose_prior ? 3 : 2; }
 };
 
+/// Poses and points of the plane, and what ties them to each other.
 struct PlanarGraph {
     std::vector<PlanarVertex> vertices;
     std::vector<PlanarEdge> edges;
@@ -68,6 +69,7 @@ double chi_square(const PlanarGraph& graph);
 /// Which edges have the greatest errors, at most so many, the greatest first.
 std::vector<std::size_t> worst_edges(const PlanarGraph& graph, std::size_t most);
 
+/// How a graph was solved.
 struct PlanarSolution {
     double chi_square_before = 0.0;
     double chi_square_after = 0.0;

@@ -34,7 +34,7 @@ struct Association {
         gone            ///< ignored: its landmark was taken out of the map
     };
     FeatureKind kind = FeatureKind::line;
-    std::uint32_t observed = 0;  ///< index in Observation::lines or ::corners
+    std::uint32_t observed = 0;  ///< index among the lines or corners of the observation
     Outcome outcome = Outcome::ignored;
     Reason reason = Reason::between_gates;
     std::int32_t landmark = -1;  ///< index in best_map(); -1 where ignored
@@ -56,6 +56,7 @@ struct HistoryBranch {
     std::uint32_t particles = 0;  ///< hypotheses that have it behind them
 };
 
+/// Of the last step, where nothing else is said.
 struct FilterStatistics {
     double neff = 0.0;             ///< effective particles before resampling [T eq 6.14]
     double best_log_weight = 0.0;  ///< ln of the best weight before resampling, not normalised

@@ -42,6 +42,7 @@ struct BenchmarkPeer {
     std::string trajectory;  ///< TUM
 };
 
+/// Tours by algorithms, as a plan's file has them.
 struct BenchmarkPlan {
     std::string title;
     std::uint64_t first_seed = 1;
@@ -63,6 +64,7 @@ std::vector<std::string> shipped_benchmarks();
 /// FileError that lists their names where there is none.
 std::filesystem::path find_benchmark(const std::string& name);
 
+/// How a benchmark is done; nothing here changes its results.
 struct BenchmarkOptions {
     std::filesystem::path out;
     int threads = 0;  ///< runs at a time; 0: as many as the machine has

@@ -16,6 +16,7 @@
 
 namespace hitos {
 
+/// Which of the thesis's figures are reproduced, and how.
 struct ReproductionOptions {
     /// Figures and experiments by number, place or parameter; all where empty.
     std::vector<std::string> only;
@@ -45,6 +46,7 @@ struct Verdict {
     std::string words;                  ///< what became of what is asked
 };
 
+/// A row of a table of the thesis, and what the same setting gives here.
 struct ReproducedRow {
     ThesisRow thesis;
     bool in_range = false;
@@ -56,6 +58,7 @@ struct ReproducedRow {
     Verdict verdict;
 };
 
+/// A figure of the thesis with all of its rows.
 struct ReproducedFigure {
     ThesisFigure thesis;
     int true_landmarks = 0;
@@ -63,6 +66,7 @@ struct ReproducedFigure {
     std::vector<ReproducedRow> rows;
 };
 
+/// What a reproduction found.
 struct Reproduction {
     Reading reading;
     std::vector<ReproducedFigure> figures;

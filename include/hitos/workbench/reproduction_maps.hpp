@@ -29,6 +29,7 @@ struct ParticleTime {
     std::uint64_t scans = 0;
 };
 
+/// What the reproduction of the thesis's maps found.
 struct MapReproduction {
     std::vector<ReproducedExperiment> experiments;
     std::vector<std::string> left_out;  ///< experiments whose log is not there, with the reason

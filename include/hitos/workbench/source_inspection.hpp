@@ -11,6 +11,7 @@
 
 namespace hitos {
 
+/// What a source holds, before it is run.
 struct SourceInspection {
     TourSummary tour;
     std::vector<Message> first_lines;   ///< of its file

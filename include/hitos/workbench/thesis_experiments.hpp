@@ -18,6 +18,7 @@ struct ThesisClaim {
     std::string says;
 };
 
+/// An experiment of the thesis, as data/thesis has it.
 struct ThesisExperiment {
     enum class Show {
         maps,   ///< a sheet of the grid maps, the odometry's last

@@ -12,6 +12,7 @@
 
 namespace hitos {
 
+/// How walls are taken from what is no world.
 struct ImportOptions {
     /// Of a drawing (DxfOptions).
     std::string layer;

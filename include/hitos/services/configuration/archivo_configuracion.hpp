@@ -9,6 +9,7 @@
 
 namespace hitos {
 
+/// The file of a configuration (TOML), read and written [T 9.2.6].
 class ArchivoConfiguracion {
   public:
     /// The defaults with the file's values over them. Throws FileError where it cannot be read and

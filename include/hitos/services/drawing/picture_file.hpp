@@ -26,6 +26,7 @@ MapImage fitted(MapImage image, std::string_view kind);
 /// The grid, a pixel a cell.
 MapImage map_image(const Grid& grid);
 
+/// What a grid's picture has besides its cells.
 struct PictureStyle {
     int scale = 1;             ///< pixels per cell, 1 … kGreatestPictureScale
     std::vector<Point2> path;  ///< world [m]; drawn in red

@@ -13,6 +13,7 @@
 
 namespace hitos {
 
+/// Of the sRGB space, without transparency.
 struct Colour {
     std::uint8_t red = 0;
     std::uint8_t green = 0;
@@ -62,6 +63,7 @@ std::array<Point2, 13> bezier_of(const DrawnEllipse& ellipse);
 
 enum class Anchor { start, middle, end };
 
+/// Words, and where they stand.
 struct DrawnText {
     Point2 at;  ///< on its base line
     std::string text;

@@ -14,6 +14,7 @@
 
 namespace hitos {
 
+/// What speaks for a run, or against it, without any truth.
 struct RunQuality {
     /// Crispness of the map as MapCrispness has it, along the best path and along the odometry.
     std::optional<double> cells_per_point;

@@ -17,6 +17,7 @@ struct UnreadLines {
     std::uint64_t lines = 0;
 };
 
+/// What a file in the format of g2o holds.
 struct G2oFile {
     PlanarGraph graph;
     std::vector<UnreadLines> unread;  ///< by their tags; of very many the last is of all others

@@ -9,6 +9,7 @@ enum class PathMarks {
     cross_and_ring  ///< start a green X, end a blue O, as in the thesis
 };
 
+/// Of occupancy grids.
 struct GridParams {
     double resolution_m = 0.05;   ///< side of a cell
     double log_odds_hit = 0.85;   ///< added to the cell a ray ends in

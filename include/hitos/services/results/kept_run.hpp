@@ -15,6 +15,7 @@
 
 namespace hitos {
 
+/// A run as its folder has it.
 struct KeptRun {
     Configuracion configuration;
     std::uint64_t scans = 0;

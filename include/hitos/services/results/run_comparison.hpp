@@ -11,12 +11,14 @@
 
 namespace hitos {
 
+/// One of the runs that are compared.
 struct ComparedRun {
     std::string name;  ///< of its folder, as far as it tells the runs apart
     std::filesystem::path folder;
     KeptRun run;
 };
 
+/// Runs side by side, and in what they differ.
 struct RunComparison {
     std::vector<ComparedRun> runs;
     bool same_log = true;                          ///< by name

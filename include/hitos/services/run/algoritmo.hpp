@@ -18,9 +18,11 @@
 
 namespace hitos {
 
+class Algoritmo;
 class Extractor;
 class TourExamination;
 
+/// What a run does besides mapping.
 struct AlgoritmoOptions {
     /// Build the grid map step by step from whichever particle is best at each step.
     bool step_grid = true;
@@ -41,6 +43,8 @@ struct AlgoritmoOptions {
     bool time_stages = false;
     /// Told after every scan, on the thread of the run: the scan, and its pose by odometry alone.
     std::function<void(const Scan& scan, const Pose& pose)> taken = nullptr;
+    /// Told after every step, the one that finds the tour over too, on the thread of the run.
+    std::function<void(const Algoritmo& run)> stepped = nullptr;
     /// Makes what finds the features; null: the one that the configuration asks for.
     std::function<std::unique_ptr<Extractor>()> extractor = nullptr;
 };

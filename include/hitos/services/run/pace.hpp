@@ -6,6 +6,7 @@
 
 namespace hitos {
 
+/// How fast a run goes.
 struct Pace {
     enum class Kind : std::uint8_t {
         full,      ///< as fast as possible

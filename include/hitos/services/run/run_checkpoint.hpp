@@ -18,6 +18,7 @@ struct StatePart {
     std::string digest;
 };
 
+/// All that a run is after a scan, to come back to.
 struct RunCheckpoint {
     RememberedTour::Place place;
     RunState state;

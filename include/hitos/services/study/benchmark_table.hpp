@@ -33,6 +33,7 @@ struct BenchmarkRow {
     std::filesystem::path map;  ///< picture of the first run's grid map; empty: none
 };
 
+/// What a benchmark found.
 struct BenchmarkTable {
     std::string title;
     std::string program;  ///< build_identity() of what made it

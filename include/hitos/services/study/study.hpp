@@ -105,6 +105,7 @@ using StudyObserver = std::function<void(const StudyProgress&)>;
 using StudyListener =
     std::function<void(const StudyPlan&, std::size_t run, const StudyRecord& record)>;
 
+/// How a study is done; nothing here changes its results.
 struct StudyOptions {
     int threads = 0;  ///< runs at a time; 0: as many as the machine has
     StudyShard shard;
@@ -122,6 +123,7 @@ struct StudyOptions {
     std::size_t shared_bytes = std::size_t{256} << 20;
 };
 
+/// What came of a study.
 struct StudyOutcome {
     StudyPlan plan;
     /// Run by run; where the shard is not the whole, those of other shards are not ok and have an

@@ -49,6 +49,7 @@ StudyPictures parse_study_pictures(std::string_view word, const std::string& opt
 /// The runs of a study: values (of no, one or two parameters) times seeds. Runs are numbered from
 /// 0, values of the first parameter slowest and seeds fastest.
 struct StudyPlan {
+    /// A parameter, or several that change together, with the values that it takes.
     struct Axis {
         std::string name;
         std::vector<std::string> keys;

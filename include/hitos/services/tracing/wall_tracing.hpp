@@ -6,6 +6,7 @@
 
 namespace hitos {
 
+/// How the walls of a picture are found.
 struct TracingOptions {
     /// How far cells may lie from the straight wall that stands for them [m]; 0: two cells.
     double tolerance_m = 0.0;

@@ -26,6 +26,7 @@ inline constexpr std::array<DrawingUnit, 5> kDrawingUnits = {
      {"in", 0.0254, HITOS_TEXT("DrawingUnit", "inches")},
      {"ft", 0.3048, HITOS_TEXT("DrawingUnit", "feet")}}};
 
+/// How a drawing is read.
 struct DxfOptions {
     /// Only entities of these layers count, "WALLS" or "WALLS,COLUMNS", hidden or not; empty: all
     /// that are shown.

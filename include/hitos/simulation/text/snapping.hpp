@@ -20,6 +20,7 @@ struct SnapOptions {
 
 enum class SnappedTo : std::uint8_t { nothing, grid, end, wall, right_angle };
 
+/// Where a cursor was drawn to, and by what.
 struct Snapped {
     Point2 at;
     SnappedTo to = SnappedTo::nothing;

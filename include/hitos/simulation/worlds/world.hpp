@@ -22,6 +22,7 @@ struct WallSegment {
     std::uint64_t line = 0;  ///< in the world file; 0: it comes from a drawing
 };
 
+/// A point that the robot drives to [m].
 struct WayPoint {
     Point2 at;
     std::uint64_t line = 0;  ///< in the world file
@@ -44,6 +45,7 @@ struct Walker {
     std::uint64_t line = 0;  ///< in the world file
 };
 
+/// How the robot drives.
 struct TourParams {
     Pose start;                          ///< of the robot in the world
     std::vector<WayPoint> way_points;    ///< of one lap
@@ -107,6 +109,7 @@ struct RasterParams {
     RasterRanges ranges = RasterRanges::exact;
 };
 
+/// What the wheels say.
 struct OdometryParams {
     double rate_hz = 10.0;  ///< part of the noise's definition: each reading is disturbed anew
     double noise = 0.1;
@@ -123,6 +126,7 @@ struct MarkParams {
     bool identities = true;  ///< whether the sensor tells which one it sees
 };
 
+/// A place with walls, a tour through it and the robot's sensors, as a world file says.
 struct World {
     std::string name;                       ///< the file's name without folder and extension
     std::string file;                       ///< path, for messages
