@@ -6,6 +6,7 @@
 #include "extractors.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/features/line_methods.hpp"
+#include "wall_scan.hpp"
 
 namespace hitos {
 namespace {
