@@ -1,16 +1,24 @@
-// hitos-cli compare: finished runs side by side.
+// hitos-cli compare: finished runs side by side; the first scan in which two runs differ.
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "commands.hpp"
 #include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/base/folder_entries.hpp"
 #include "hitos/base/input_files.hpp"
+#include "hitos/base/plural.hpp"
+#include "hitos/base/text_input.hpp"
 #include "hitos/services/results/run_comparison.hpp"
+#include "hitos/services/run/step_hashes.hpp"
 #include "report.hpp"
 
 namespace hitos::cli {
@@ -42,7 +50,37 @@ void check_out(const CompareOptions& options) {
     check_apart({&out, 1}, inputs);
 }
 
+constexpr int kDiffer = 2;  // the program's status
+
+/// Two files that run --hashes has written.
+void compare_hashes(const CompareOptions& options) {
+    const std::vector<std::string>& names = options.runs;
+    if (names.size() != 2) {
+        throw Error(verbatim(fmt::format(
+            "found {}; expected two that hitos-cli run --hashes has written, or folders",
+            plural(names.size(), "file"))));
+    }
+    const std::optional<StepDifference> found = first_difference(
+        input::read_text(names[0]), names[0], input::read_text(names[1]), names[1]);
+    Report report(options.json);
+    report.object() = {{"same", !found}};
+    if (!found) {
+        report.say("the same after every scan, to the last bit\n");
+    } else {
+        report.object().update({{"scan", found->scan}, {"part", found->part}});
+        report.say("they differ from scan {} on, first in: {}\n", found->scan, found->part);
+    }
+    report.end();
+    if (found) throw CLI::RuntimeError(kDiffer);
+}
+
 void compare(const CompareOptions& options) {
+    if (std::ranges::all_of(options.runs, [](const std::string& run) {
+            return std::filesystem::is_regular_file(run);
+        })) {
+        compare_hashes(options);
+        return;
+    }
     if (!options.out.empty() && options.out != kStandardOutput) check_out(options);
     const RunComparison comparison =
         compare_runs(std::vector<std::filesystem::path>(options.runs.begin(), options.runs.end()));
@@ -66,7 +104,12 @@ void add_compare(CLI::App& program) {
     auto options = std::make_shared<CompareOptions>();
     CLI::App* command = program.add_subcommand(
         "compare", "Set finished runs side by side: settings that differ, and their figures");
-    command->add_option("runs", options->runs, "Folders of runs")->required()->expected(1, -1);
+    command
+        ->add_option("runs", options->runs,
+                     "Folders of runs; or two files that run --hashes has written: the first scan "
+                     "in which they differ, and status 2 where they do")
+        ->required()
+        ->expected(1, -1);
     command
         ->add_option("--as", options->form, "Form of the table: markdown (default), latex or csv")
         ->check(CLI::IsMember({"markdown", "latex", "csv"}));

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
@@ -33,6 +34,7 @@
 #include "hitos/services/results/optional_outputs.hpp"
 #include "hitos/services/results/results.hpp"
 #include "hitos/services/run/run_worker.hpp"
+#include "hitos/services/run/step_hashes.hpp"
 #include "hitos/slam/filters.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
@@ -52,6 +54,7 @@ struct RunOptions {
     double tolerance_s = kSameStamp;
     std::string distances;
     std::string figures;
+    std::string hashes;
     bool uncertainty = false;
     bool strict = false;
     std::optional<std::size_t> grid_of;
@@ -159,7 +162,7 @@ void tell_other_parameters(const Configuracion& configuration) {
 }
 
 /// A long run is not to end with what could be known before it.
-void check_figures_file(const std::filesystem::path& file) {
+void check_file(const std::filesystem::path& file) {
     if (std::filesystem::is_directory(file)) {
         throw FileError(file.string(), verbatim("is a folder; expected the name of a file"));
     }
@@ -171,15 +174,15 @@ void check_figures_file(const std::filesystem::path& file) {
     if (!file.empty()) AtomicFile(file).write("");  // not committed, it leaves nothing behind
 }
 
-/// What is written is none of what is read, and the figures are none of the results.
+/// What is written is none of what is read, and what stands beside the results is none of them.
 void check_outputs(const RunOptions& options, std::vector<std::filesystem::path> inputs) {
     using Path = std::filesystem::path;
     for (const std::string& file :
          {options.reference, options.reference_trajectory, options.distances}) {
         inputs.emplace_back(file);
     }
-    const Path figures = options.figures;
-    check_apart({&figures, 1}, inputs);
+    const std::array<Path, 2> beside{options.figures, options.hashes};
+    check_apart(beside, inputs);
     std::error_code ignored;
     for (const Path& file : inputs) {
         if (!file.empty() && is_results_file(file.filename()) &&
@@ -188,11 +191,14 @@ void check_outputs(const RunOptions& options, std::vector<std::filesystem::path>
             check_apart({&file, 1}, inputs);  // throws
         }
     }
-    if (is_results_file(figures.filename()) &&
-        std::filesystem::weakly_canonical(figures, ignored).parent_path() ==
-            std::filesystem::weakly_canonical(Path(options.out) / "x", ignored).parent_path()) {
-        throw FileError(options.figures, verbatim("is the name of one of the results; choose "
-                                                  "another one for the figures"));
+    const Path results =
+        std::filesystem::weakly_canonical(Path(options.out) / "x", ignored).parent_path();
+    for (const Path& file : beside) {
+        if (is_results_file(file.filename()) &&
+            std::filesystem::weakly_canonical(file, ignored).parent_path() == results) {
+            throw FileError(file, verbatim("is the name of one of the results; choose another one "
+                                           "for the table"));
+        }
     }
 }
 
@@ -250,7 +256,8 @@ void run(const RunOptions& options) {
     const StopByRequest request;  // before there is anything to be cleared
     std::unique_ptr<StagedFolder> folder(new StagedFolder(results_folder(options.out)));
     if (!options.replace) refuse_another_run(options.out, configuration);
-    check_figures_file(options.figures);  // which may be in that folder
+    check_file(options.figures);  // which may be in that folder
+    check_file(options.hashes);
 
     LogWatch log(tour);
     std::unique_ptr<TourReader> reader = open_tour(configuration);
@@ -268,6 +275,9 @@ void run(const RunOptions& options) {
             odometry_grid->add(scan, pose);
         };
     }
+    StepHashes hashes;
+    if (!options.hashes.empty())
+        run_options.stepped = [&hashes](const Algoritmo& run) { hashes.note(run); };
     RunWorker worker(configuration, std::move(reader), run_options);
     ProgressLine line("scan");
     bool stopped = false;
@@ -336,18 +346,21 @@ void run(const RunOptions& options) {
         report.object().update(parsed_object(to_json(summary, seconds)));
     }
     bool whole = summary.not_written.empty();
-    try {
-        if (!options.figures.empty()) {
-            write_figures(worker.figures_since(0),
-                          references.trajectory ? &*references.trajectory : nullptr,
-                          options.figures, references.tolerance_s);
+    const auto beside = [&](const std::string& file, const auto& write_it) {
+        try {
+            if (!file.empty()) write_it();
+        } catch (const Error& error) {
+            report.warn(fmt::format("not written: {}", error.what()));
+            report.object()["not_written"].push_back({{"file", file}, {"reason", error.what()}});
+            whole = false;
         }
-    } catch (const Error& error) {
-        report.warn(fmt::format("not written: {}", error.what()));
-        report.object()["not_written"].push_back(
-            {{"file", options.figures}, {"reason", error.what()}});
-        whole = false;
-    }
+    };
+    beside(options.figures, [&] {
+        write_figures(worker.figures_since(0),
+                      references.trajectory ? &*references.trajectory : nullptr, options.figures,
+                      references.tolerance_s);
+    });
+    beside(options.hashes, [&] { write_file(options.hashes, hashes.csv()); });
     report.end();
     if (log.changed()) throw Error(verbatim(log.words(progress.steps)));
     if (stopped || (!whole && StopByRequest::wanted()))
@@ -399,6 +412,12 @@ void add_run(CLI::App& program) {
         ->add_option("--figures", options->figures,
                      "Write the figures of every scan (Neff, weights, landmarks, features, "
                      "events, position error, time) into this CSV file (docs/formats.md)")
+        ->check(&complaint_of_output);
+    command
+        ->add_option("--hashes", options->hashes,
+                     "Write hashes of the whole state after every scan into this CSV file "
+                     "(docs/determinism.md); hitos-cli compare names the first scan in which two "
+                     "such files differ")
         ->check(&complaint_of_output);
     command->add_option("--write", options->write,
                         "Write further files (docs/formats.md), by their names or these words with "

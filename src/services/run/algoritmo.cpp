@@ -103,6 +103,7 @@ bool Algoritmo::step(AssociationRecord* record) {
         ends(RunStage::reading);
         finish(false);
         ends(RunStage::rest);
+        if (options_.stepped) options_.stepped(*this);
         return false;
     }
     ends(RunStage::reading);
@@ -136,6 +137,7 @@ bool Algoritmo::step(AssociationRecord* record) {
     if (state_.registration) take_correction();
     state_.online.push_back({state_.scan.stamp_s(), state_.filter->best_pose()});
     ends(RunStage::rest);
+    if (options_.stepped) options_.stepped(*this);
     return true;
 }
 

@@ -9,17 +9,9 @@
 #include "hitos/base/digest.hpp"
 #include "hitos/base/validate.hpp"
 #include "hitos/slam/association_record.hpp"
+#include "state_bytes.hpp"
 
 namespace hitos {
-namespace {
-
-/// Adds values of types without padding, byte by byte.
-template <class... Values>
-void put(std::string& bytes, const Values&... values) {
-    (bytes.append(reinterpret_cast<const char*>(&values), sizeof values), ...);
-}
-
-}  // namespace
 
 Trajectory RunState::stamped(const std::vector<Pose>& poses) const {
     Trajectory stamped = odometry.trajectory();
@@ -46,24 +38,18 @@ std::vector<StatePart> parts_of(const RunState& state, const Grid& step_grid) {
         parts.push_back({name, Digest().add(std::exchange(bytes, {})).text()});
     };
     const auto note = [&](const char* name, const auto& row) {
-        for (const auto& one : row) put(bytes, one);
+        put_all(bytes, row);
         end(name);
     };
-    for (const WeightedPose& one : state.filter->hypotheses()) {
-        put(bytes, one.pose, one.weight, one.weight_before, one.from);
-    }
+    put_hypotheses(bytes, *state.filter);
     end("hypotheses");
-    for (const ICaracteristica& one : map) {
-        put(bytes, one.point(), one.covariance, one.observations, one.from_m, one.to_m,
-            one.first_seen, one.last_seen, one.identity);
-    }
+    put_landmarks(bytes, map);
     end("landmarks");
     note("path", path);
     note("path as it was driven", state.online);
     note("odometry", state.odometry.trajectory());
     note("scan", state.scan.points);
-    for (const LandmarkSighting& one : state.scan.landmarks)
-        put(bytes, one.range_m, one.bearing_rad, one.identity);
+    put_told(bytes, state.scan);
     end("landmarks told");
     note("lines seen", state.observation.lines);
     note("corners seen", state.observation.corners);

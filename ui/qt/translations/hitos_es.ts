@@ -3158,6 +3158,14 @@
         <source>one that no line before lists</source>
         <translation>uno que ninguna línea anterior enumere</translation>
     </message>
+    <message>
+        <source>expected the heading &quot;%1&quot; of a table that hitos-cli run --hashes writes</source>
+        <translation>se esperaba el encabezado &quot;%1&quot; de una tabla que escribe hitos-cli run --hashes</translation>
+    </message>
+    <message>
+        <source>expected the number of a scan and its seven hashes of 16 digits</source>
+        <translation>se esperaba el número de un barrido y sus siete resúmenes de 16 dígitos</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>

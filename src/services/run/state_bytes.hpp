@@ -1,0 +1,38 @@
+// A run's state as bytes, for digests.
+#pragma once
+
+#include <string>
+
+#include "hitos/services/run/run_state.hpp"
+
+namespace hitos {
+
+/// Adds values of types without padding, byte by byte.
+template <class... Values>
+void put(std::string& bytes, const Values&... values) {
+    (bytes.append(reinterpret_cast<const char*>(&values), sizeof values), ...);
+}
+
+template <class Row>
+void put_all(std::string& bytes, const Row& row) {
+    for (const auto& one : row) put(bytes, one);
+}
+
+inline void put_hypotheses(std::string& bytes, const SlamFilter& filter) {
+    for (const WeightedPose& one : filter.hypotheses())
+        put(bytes, one.pose, one.weight, one.weight_before, one.from);
+}
+
+inline void put_landmarks(std::string& bytes, const LandmarkMap& map) {
+    for (const ICaracteristica& one : map) {
+        put(bytes, one.point(), one.covariance, one.observations, one.from_m, one.to_m,
+            one.first_seen, one.last_seen, one.identity);
+    }
+}
+
+inline void put_told(std::string& bytes, const Scan& scan) {
+    for (const LandmarkSighting& one : scan.landmarks)
+        put(bytes, one.range_m, one.bearing_rad, one.identity);
+}
+
+}  // namespace hitos
