@@ -293,7 +293,9 @@ TEST(Extractor, CornersOfLinesThatAreFittedAnywayAreTheSame) {
 }
 
 TEST(LineMethods, AreRegisteredWithWhatOnlyTheyRead) {
-    EXPECT_EQ(line_methods().words(), "split-merge, ransac, foreign");  // the last is of tests
+    EXPECT_TRUE(
+        line_methods().words().starts_with("split-merge, ransac, "))  // the first is the default
+        << line_methods().words();
     EXPECT_TRUE(line_methods().reads("split-merge", "split_merge.dmax"));
     EXPECT_FALSE(line_methods().reads("ransac", "split_merge.dmax"));
     EXPECT_FALSE(line_methods().reads("split-merge", "ransac.threshold"));
