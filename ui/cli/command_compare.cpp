@@ -75,7 +75,7 @@ void compare_hashes(const CompareOptions& options) {
 }
 
 void compare(const CompareOptions& options) {
-    if (std::ranges::all_of(options.runs, [](const std::string& run) {
+    if (std::ranges::any_of(options.runs, [](const std::string& run) {
             return std::filesystem::is_regular_file(run);
         })) {
         compare_hashes(options);
