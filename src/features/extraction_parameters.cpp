@@ -22,23 +22,28 @@ Table observation_entries() {
          "observation"},
         {{"fixed", HITOS_TEXT("ParameterChoice", "Fixed variances")},
          {"points", HITOS_TEXT("ParameterChoice", "From the points")}});
+    const Parameter<Extraction>::Condition with_covariances{
+        "observation.covariance", "points, or features.circles on", [](const Extraction& e) {
+            return e.covariance == ObservationCovariance::points || e.circles.find;
+        }};
     return {
         covariance,
         real<&ExtractionParams::point_sigma_m>(
             {"observation.point_sigma", "m", 1e-6, 10, HITOS_TEXT("ParameterLabel", "σ range"),
              HITOS_TEXT("Parameter",
-                        "Standard deviation of a measured range, for the covariance points; a "
-                        "higher value trusts the laser less."),
+                        "Standard deviation of a measured range, for the covariance points and for "
+                        "circles; a higher value trusts the laser less."),
              "observation"},
-            {where(covariance, {"points"})}),
+            {with_covariances}),
         real<&ExtractionParams::common_sigma_m>(
             {"observation.common_sigma", "m", 0, 10, HITOS_TEXT("ParameterLabel", "σ shared"),
              HITOS_TEXT("Parameter",
-                        "Standard deviation of the error that all points of a line share, for the "
-                        "covariance points: walls that are not straight, ranges in steps; a higher "
-                        "value trusts long walls less."),
+                        "Standard deviation of the error that all points of a line or circle "
+                        "share, for the covariance points and for circles: walls that are not "
+                        "straight, trunks that are not round, ranges in steps; a higher value "
+                        "trusts long walls less."),
              "observation"},
-            {where(covariance, {"points"})}),
+            {with_covariances}),
     };
 }
 
@@ -89,6 +94,39 @@ Table feature_entries() {
               [](const Extraction& e) {
                   return e.method != "ransac" && e.split_merge.fit == LineFit::endpoints;
               }}}),
+    };
+}
+
+Table circle_entries() {
+    const auto find = choice<&Extraction::circles, &CircleParams::find>(
+        {"features.circles", HITOS_TEXT("ParameterLabel", "Trees and posts"),
+         HITOS_TEXT("Parameter",
+                    "Whether round things that stand alone are point landmarks at their centres, "
+                    "whatever else is looked for: trees, posts."),
+         "features"},
+        off_on());
+    return {
+        find,
+        real<&Extraction::circles, &CircleParams::max_radius_m>(
+            {"features.circle_radius", "m", 1e-3, 10, HITOS_TEXT("ParameterLabel", "Thickest"),
+             HITOS_TEXT("Parameter",
+                        "Greatest radius of a circle; a higher value takes thicker trees, and "
+                        "more that is none."),
+             "features"},
+            {where(find, {"on"})}),
+        real<&Extraction::circles, &CircleParams::gap_m>(
+            {"features.circle_gap", "m", 1e-3, 100, HITOS_TEXT("ParameterLabel", "Stands alone by"),
+             HITOS_TEXT("Parameter",
+                        "Nothing else may be as near to a circle, and what is behind it is farther "
+                        "by more; a higher value takes fewer twigs of bushes, and fewer trees that "
+                        "stand close together.")},
+            {where(find, {"on"})}),
+        integer<&Extraction::circles, &CircleParams::min_points>(
+            {"features.circle_points", "", 1, 10000, HITOS_TEXT("ParameterLabel", "Fewest points"),
+             HITOS_TEXT("Parameter",
+                        "Fewest points of a circle; a higher value takes fewer of the trees that "
+                        "are far away, and less that is none.")},
+            {where(find, {"on"})}),
     };
 }
 
@@ -185,8 +223,8 @@ Table ransac_entries() {
 }
 
 Table make_table() {
-    Table table = together(
-        {observation_entries(), feature_entries(), split_merge_entries(), ransac_entries()});
+    Table table = together({observation_entries(), feature_entries(), circle_entries(),
+                            split_merge_entries(), ransac_entries()});
     heed_readers(table, "features.method", line_methods());
     return table;
 }

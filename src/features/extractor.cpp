@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "circle_extractor.hpp"
 #include "collinear_merge.hpp"
 #include "extractors.hpp"
 #include "hitos/base/error.hpp"
@@ -156,10 +157,16 @@ void ExPuntos::extract(const Scan& scan, Observation& out) {
 std::unique_ptr<Extractor> make_extractor(const ExtractionParams& params, std::uint64_t seed) {
     check_all(extraction_parameters(), params);
     LineFinder lines(params, seed);
-    if (params.detect == Detection::lines) return std::make_unique<ExRectas>(std::move(lines));
-    return std::make_unique<ExPuntos>(std::move(lines), params.corner_distance_m,
-                                      params.corner_angle_rad, params.corner_lines,
-                                      params.detect == Detection::both);
+    std::unique_ptr<Extractor> extractor;
+    if (params.detect == Detection::lines) {
+        extractor = std::make_unique<ExRectas>(std::move(lines));
+    } else {
+        extractor = std::make_unique<ExPuntos>(std::move(lines), params.corner_distance_m,
+                                               params.corner_angle_rad, params.corner_lines,
+                                               params.detect == Detection::both);
+    }
+    if (!params.circles.find) return extractor;
+    return std::make_unique<CircleExtractor>(params, std::move(extractor));
 }
 
 bool draws_at_random(const ExtractionParams& params) {

@@ -13,7 +13,8 @@ std::size_t bytes_of(const std::vector<Item>& items) {
 std::size_t bytes_of(const Observation& seen) {
     return sizeof(Observation) + bytes_of(seen.lines) + bytes_of(seen.corners) +
            bytes_of(seen.support) + bytes_of(seen.line_covariances) +
-           bytes_of(seen.corner_covariances) + bytes_of(seen.identities);
+           bytes_of(seen.corner_covariances) + bytes_of(seen.identities) +
+           bytes_of(seen.circle_radii_m);
 }
 
 }  // namespace

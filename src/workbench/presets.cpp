@@ -22,12 +22,14 @@ namespace hitos {
 
 namespace {
 
-bool has_landmarks(const std::string& world) {
+std::string_view preset_of_world(const std::string& path) {
     try {
-        return !read_world(world).landmarks.at.empty();
+        const World world = read_world(path);
+        if (world.landmarks.told()) return kLandmarkPreset;
+        if (world.landmarks.round()) return kTreePreset;
     } catch (const Error&) {  // whoever opens it is told
-        return false;
     }
+    return kWorldPreset;
 }
 
 /// Whether the first scan that shows anything shows landmarks.
@@ -80,6 +82,11 @@ std::span<const Preset> presets() {
                           "FastSLAM for sensors that tell landmarks by themselves, posts or codes, "
                           "and say which one they see."),
                PresetPurpose::logs},
+        Preset{"trees", HITOS_TEXT("Preset", "Trees and posts"),
+               HITOS_TEXT("Preset",
+                          "FastSLAM for parks and orchards: trees and posts as circles in the "
+                          "scans of a laser that sees far."),
+               PresetPurpose::worlds},
     };
     return table;
 }
@@ -103,7 +110,7 @@ Configuracion preset_configuration(std::string_view word) {
 }
 
 std::string_view suited_preset(const std::string& source) {
-    if (is_world_file(source)) return has_landmarks(source) ? kLandmarkPreset : kWorldPreset;
+    if (is_world_file(source)) return preset_of_world(source);
     if (source.empty()) return {};
     try {
         const LogFormat* format = recording_format(source);

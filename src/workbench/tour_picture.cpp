@@ -92,6 +92,7 @@ VectorDrawing drawn(const SimulatedTour& tour) {
         bounds.hold(wall.a);
         bounds.hold(wall.b);
     }
+    for (const Point2& point : world.landmarks.at) bounds.hold(point);
     for (const Point2& point : truth) bounds.hold(point);
     const double width = std::max(bounds.high.x - bounds.low.x, 0.1);
     const double height = std::max(bounds.high.y - bounds.low.y, 0.1);
@@ -112,9 +113,16 @@ VectorDrawing drawn(const SimulatedTour& tour) {
     odometry.lines = {placed(odometry_path(tour))};
     DrawnLayer walls{"walls", line_style(kBlack, 3.0)};
     for (const WallSegment& wall : world.walls) walls.lines.push_back(placed({wall.a, wall.b}));
+    DrawnLayer marks{"landmarks", {.fill = kBlack}};
+    for (std::size_t i = 0; i < world.landmarks.at.size(); ++i) {
+        constexpr double kLeast = 3.0;  // pixels
+        const double radius = world.landmarks.round() ? world.landmarks.radii_m[i] * per_m : 0.0;
+        marks.ellipses.push_back(
+            disc(placement.at(world.landmarks.at[i]), std::max(kLeast, radius)));
+    }
     DrawnLayer path{"path", line_style(kTruth, 1.5)};
     path.lines = {placed(truth)};
-    picture.layers = {std::move(odometry), std::move(walls), std::move(path)};
+    picture.layers = {std::move(odometry), std::move(walls), std::move(marks), std::move(path)};
     add_way_points(picture, world.tour.way_points, placement);
     const Pose& start = world.tour.start;
     const Point2 ahead = transform(start, Point2{25.0 / per_m, 0.0});

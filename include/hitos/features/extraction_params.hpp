@@ -67,6 +67,15 @@ enum class CornerLines {
     fitted     ///< total least squares over all points of each, however the line itself is fitted
 };
 
+/// Trees and posts: round things that stand alone, each a point landmark at its centre.
+struct CircleParams {
+    bool find = false;
+    double max_radius_m = 0.5;  ///< no thicker ones
+    double gap_m = 0.5;         ///< nothing else is as near to it
+    int min_points = 2;         ///< fewest points of a circle
+    friend bool operator==(const CircleParams&, const CircleParams&) = default;
+};
+
 /// How features are found in a scan, and how sure they are taken to be.
 struct ExtractionParams {
     Detection detect = Detection::both;
@@ -74,9 +83,10 @@ struct ExtractionParams {
     LineParams lines;
     SplitMergeParams split_merge;
     RansacParams ransac;
+    CircleParams circles;
     ObservationCovariance covariance = ObservationCovariance::fixed;
-    double point_sigma_m = 0.01;     ///< for `points`: standard deviation of a range
-    double common_sigma_m = 0.0;     ///< and of what all points of a line share
+    double point_sigma_m = 0.01;     ///< for `points` and circles: standard deviation of a range
+    double common_sigma_m = 0.0;     ///< and of what all points of a line, or circle, share
     double corner_distance_m = 0.1;  ///< greatest distance of a corner from both its lines [es]
     double corner_angle_rad = 0.0;   ///< least angle between the lines of a corner; 0: any
     CornerLines corner_lines = CornerLines::detected;

@@ -29,11 +29,13 @@ struct Observation {
     std::vector<Point2> support;  ///< points of all lines, line by line
     /// Of (rho, theta) [m, rad] of each line and of (x, y) [m] of each corner; both empty where
     /// the observation model's fixed variances are asked for. The last corners may have none:
-    /// landmarks that a sensor told by themselves.
+    /// landmarks that a sensor told by themselves, or all but circles.
     std::vector<Eigen::Matrix2d> line_covariances;
     std::vector<Eigen::Matrix2d> corner_covariances;
     /// Which landmark each corner is, -1 where that is not known; empty where none is.
     std::vector<std::int32_t> identities;
+    /// Of the first corners, which are the centres of circles: trees and posts.
+    std::vector<double> circle_radii_m;
 
     bool empty() const { return lines.empty() && corners.empty(); }
     void clear() {
@@ -43,6 +45,7 @@ struct Observation {
         line_covariances.clear();
         corner_covariances.clear();
         identities.clear();
+        circle_radii_m.clear();
     }
     std::int32_t identity(std::size_t corner) const {
         return corner < identities.size() ? identities[corner] : LandmarkSighting::kNameless;

@@ -26,11 +26,12 @@ std::span<const Preset> presets();
 /// The word that leaves the choice to the source; no preset has it.
 inline constexpr std::string_view kAutoPreset = "auto";
 
-/// What a world has where nobody chooses, what the recording of a robot has, and what either has
-/// whose sensor tells landmarks by itself.
+/// What a world has where nobody chooses, what the recording of a robot has, what either has whose
+/// sensor tells landmarks by itself, and what a world of trees has.
 inline constexpr std::string_view kWorldPreset = "simulated";
 inline constexpr std::string_view kRobotPreset = "recorded";
 inline constexpr std::string_view kLandmarkPreset = "landmarks";
+inline constexpr std::string_view kTreePreset = "trees";
 
 /// The preset of a world file, of a log whose first scans are of landmarks, or of a log or
 /// recording whose beginning is of a format that robots write. Empty where the source is another

@@ -22,7 +22,7 @@ void append_box(const Disturbance& box, std::vector<WallSegment>& walls) {
 
 Surroundings::Surroundings(std::vector<WallSegment> walls, const World& world) {
     const Fan fan = fan_of(world.laser);
-    if (!world.landmarks.at.empty()) walls_ = walls;
+    if (world.landmarks.told()) walls_ = walls;
     if (world.raster.cell_m > 0.0) {
         raster_ = std::make_shared<RasterLaser>(walls, world.raster, fan);
     } else {
@@ -54,7 +54,7 @@ bool Surroundings::sees(const Point2& from, const Point2& to) const {
 ConditionTrack::ConditionTrack(const World& world) {
     Conditions first;
     first.laser_sigma_m =
-        world.landmarks.at.empty() ? world.laser.sigma_m : world.landmarks.sigma_range_m;
+        world.landmarks.told() ? world.landmarks.sigma_range_m : world.laser.sigma_m;
     first.odometry_noise = world.odometry.noise;
     track_.push_back(first);
     walls_ = walls_after(0, world);
@@ -173,22 +173,35 @@ Point2 place_of(const Walker& walker, double time_s) {
     return walker.way.back();
 }
 
-void cast_walkers(const std::vector<Walker>& walkers, double time_s, const Pose& pose_world_laser,
-                  std::span<const Point2> directions, std::span<RayHit> out) {
+namespace {
+
+/// Lets rays end at a circle that they meet from outside; its middle in the laser's frame.
+void cast_circle(const Point2& middle, double radius_m, std::span<const Point2> directions,
+                 std::span<RayHit> out) {
+    const double beyond2 = middle.x * middle.x + middle.y * middle.y - radius_m * radius_m;
+    if (beyond2 <= 0.0) return;  // the laser is within
+    for (std::size_t ray = 0; ray < directions.size(); ++ray) {
+        // |r u - m|^2 = radius^2, the nearer solution.
+        const double along = middle.x * directions[ray].x + middle.y * directions[ray].y;
+        const double root2 = along * along - beyond2;
+        if (along <= 0.0 || root2 < 0.0) continue;
+        const double range = along - std::sqrt(root2);
+        if (range < out[ray].range_m) out[ray] = {range, -1};
+    }
+}
+
+}  // namespace
+
+void cast_round_things(const World& world, double time_s, const Pose& pose_world_laser,
+                       std::span<const Point2> directions, std::span<RayHit> out) {
     const Pose pose_laser_world = inverse(pose_world_laser);
-    for (const Walker& walker : walkers) {
-        const Point2 middle = transform(pose_laser_world, place_of(walker, time_s));
-        const double beyond2 =
-            middle.x * middle.x + middle.y * middle.y - walker.radius_m * walker.radius_m;
-        if (beyond2 <= 0.0) continue;  // the laser is within
-        for (std::size_t ray = 0; ray < directions.size(); ++ray) {
-            // |r u - m|^2 = radius^2, the nearer solution.
-            const double along = middle.x * directions[ray].x + middle.y * directions[ray].y;
-            const double root2 = along * along - beyond2;
-            if (along <= 0.0 || root2 < 0.0) continue;
-            const double range = along - std::sqrt(root2);
-            if (range < out[ray].range_m) out[ray] = {range, -1};
-        }
+    for (const Walker& walker : world.walkers) {
+        cast_circle(transform(pose_laser_world, place_of(walker, time_s)), walker.radius_m,
+                    directions, out);
+    }
+    const MarkParams& marks = world.landmarks;
+    for (std::size_t i = 0; i < marks.radii_m.size(); ++i) {
+        cast_circle(transform(pose_laser_world, marks.at[i]), marks.radii_m[i], directions, out);
     }
 }
 

@@ -23,8 +23,8 @@ class Surroundings {
     void cast(const Pose& pose_world_robot, std::vector<RayHit>& out) const;
     /// Of one ray.
     RayHit hit(const Pose& pose_world_robot, std::uint32_t ray) const;
-    /// Whether no wall stands between two points [m, world frame]; of worlds with landmarks. What
-    /// is fixed to a wall is seen from before it.
+    /// Whether no wall stands between two points [m, world frame]; of worlds with landmarks that
+    /// are told. What is fixed to a wall is seen from before it.
     bool sees(const Point2& from, const Point2& to) const;
 
   private:
@@ -77,8 +77,8 @@ class ConditionTrack {
 /// Where somebody is at a time.
 Point2 place_of(const Walker& walker, double time_s);
 
-/// Lets every ray end at the circles that it meets from outside.
-void cast_walkers(const std::vector<Walker>& walkers, double time_s, const Pose& pose_world_laser,
-                  std::span<const Point2> directions, std::span<RayHit> out);
+/// Lets every ray end at the people and trees that it meets from outside, which are circles.
+void cast_round_things(const World& world, double time_s, const Pose& pose_world_laser,
+                       std::span<const Point2> directions, std::span<RayHit> out);
 
 }  // namespace hitos

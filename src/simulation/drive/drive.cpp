@@ -121,19 +121,28 @@ class Driver {
                        of(a.y), of(b.x), of(b.y));
     }
 
+    Message tree_name(std::size_t tree) const {
+        const Point2& at = world_.landmarks.at[tree];
+        return message(HITOS_TEXT("Errors", "landmark %1, (%2, %3)"), tree,
+                       fmt::format("{:g}", at.x), fmt::format("{:g}", at.y));
+    }
+
     void check_start() const {
         const Point2 start{world_.tour.start.x, world_.tour.start.y};
-        for (const WallSegment& wall : motion_.conditions().walls()) {
-            const double gap = distance(wall, start);
-            if (gap < robot_.radius_m) {
-                fail(world_.tour.line,
-                     message(HITOS_TEXT("Errors",
-                                        "the start at (%1, %2) is %3 m from %4; expected at least "
-                                        "the robot's radius of %5 m"),
-                             fmt::format("{:g}", start.x), fmt::format("{:g}", start.y),
-                             fmt::format("{:.3f}", gap), wall_name(wall),
-                             fmt::format("{:g}", robot_.radius_m)));
-            }
+        const auto check = [&](double gap, const auto& name) {
+            if (gap >= robot_.radius_m) return;
+            fail(world_.tour.line,
+                 message(HITOS_TEXT("Errors",
+                                    "the start at (%1, %2) is %3 m from %4; expected at least "
+                                    "the robot's radius of %5 m"),
+                         fmt::format("{:g}", start.x), fmt::format("{:g}", start.y),
+                         fmt::format("{:.3f}", gap), name(), fmt::format("{:g}", robot_.radius_m)));
+        };
+        for (const WallSegment& wall : motion_.conditions().walls())
+            check(distance(wall, start), [&] { return wall_name(wall); });
+        for (std::size_t i = 0; i < world_.landmarks.radii_m.size(); ++i) {
+            check(distance(world_.landmarks.at[i], start) - world_.landmarks.radii_m[i],
+                  [&] { return tree_name(i); });
         }
     }
 
@@ -236,17 +245,19 @@ class Driver {
 
     void check_clearance() const {
         if (world_.tour.way_points.empty()) return;  // it looks round before it is driven by hand
-        for (const WallSegment& wall : motion_.conditions().walls()) {
-            const double gap = motion_.gap(wall);
-            if (gap < robot_.radius_m) {
-                fail(way_point(goal_).line,
-                     message(HITOS_TEXT("Errors",
-                                        "on the way to %1 the robot comes within %2 m of %3; "
-                                        "expected at least its radius of %4 m"),
-                             name(goal_), fmt::format("{:.3f}", std::max(0.0, gap)),
-                             wall_name(wall), fmt::format("{:g}", robot_.radius_m)));
-            }
-        }
+        const auto check = [&](double gap, const auto& what) {
+            if (gap >= robot_.radius_m) return;
+            fail(way_point(goal_).line,
+                 message(HITOS_TEXT("Errors",
+                                    "on the way to %1 the robot comes within %2 m of %3; "
+                                    "expected at least its radius of %4 m"),
+                         name(goal_), fmt::format("{:.3f}", std::max(0.0, gap)), what(),
+                         fmt::format("{:g}", robot_.radius_m)));
+        };
+        for (const WallSegment& wall : motion_.conditions().walls())
+            check(motion_.gap(wall), [&] { return wall_name(wall); });
+        for (std::size_t i = 0; i < world_.landmarks.radii_m.size(); ++i)
+            check(motion_.gap_to_tree(i), [&] { return tree_name(i); });
     }
 
     const World& world_;

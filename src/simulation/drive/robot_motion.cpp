@@ -19,6 +19,15 @@ double bulge(const Twist& twist, double period_s) {
     return std::abs(twist.v) * period_s * std::abs(twist.w) * period_s / 8.0;
 }
 
+/// How near a straight way comes to the bark of a tree.
+double distance_to_bark(const MarkParams& marks, std::size_t tree, const Point2& from,
+                        const Point2& to) {
+    const Point2& middle = marks.at[tree];
+    const double away =
+        from == to ? distance(from, middle) : distance(WallSegment{from, to, 0, 0}, middle);
+    return away - marks.radii_m[tree];
+}
+
 }  // namespace
 
 RobotMotion::RobotMotion(const World& world)
@@ -80,20 +89,38 @@ bool RobotMotion::barred(const Twist& twist) const {
     const Point2 from{pose().x, pose().y};
     const Point2 to{after.x, after.y};
     if (from == to) return false;
-    return std::ranges::any_of(conditions_.walls(), [&](const auto& wall) {
-        const double nearest = distance(wall, from, to);
+    const auto bars = [&](double nearest, double at_first, double at_last) {
         if (nearest - bulge(twist, period_s_) >= world_.robot.radius_m) return false;
-        const bool leaves =
-            nearest >= distance(wall, from) && distance(wall, to) > distance(wall, from);
+        const bool leaves = nearest >= at_first && at_last > at_first;
         return !leaves;
+    };
+    for (std::size_t i = 0; i < world_.landmarks.radii_m.size(); ++i) {
+        const auto away = [&](const Point2& a, const Point2& b) {
+            return distance_to_bark(world_.landmarks, i, a, b);
+        };
+        if (bars(away(from, to), away(from, from), away(to, to))) return true;
+    }
+    return std::ranges::any_of(conditions_.walls(), [&](const auto& wall) {
+        return bars(distance(wall, from, to), distance(wall, from), distance(wall, to));
     });
 }
 
-double RobotMotion::gap(const WallSegment& wall) const {
+/// Of the last control period.
+RobotMotion::Way RobotMotion::last_way() const {
     const Twist& twist = path_.twists().back();
     const Pose& from = path_.poses()[path_.twists().size() - 1];
     const Pose to = compose(from, displacement(twist, period_s_));  // wherever it was carried then
-    return distance(wall, {from.x, from.y}, {to.x, to.y}) - bulge(twist, period_s_);
+    return {{from.x, from.y}, {to.x, to.y}, bulge(twist, period_s_)};
+}
+
+double RobotMotion::gap(const WallSegment& wall) const {
+    const Way way = last_way();
+    return distance(wall, way.from, way.to) - way.bulge_m;
+}
+
+double RobotMotion::gap_to_tree(std::size_t tree) const {
+    const Way way = last_way();
+    return distance_to_bark(world_.landmarks, tree, way.from, way.to) - way.bulge_m;
 }
 
 }  // namespace hitos

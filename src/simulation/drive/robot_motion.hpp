@@ -30,8 +30,17 @@ class RobotMotion {
     const ConditionTrack& conditions() const { return conditions_; }
     /// Least distance of that wall from the last control period's way [m], at the least.
     double gap(const WallSegment& wall) const;
+    /// The same of a tree, or post, that a laser sees: by its place among the world's landmarks.
+    double gap_to_tree(std::size_t tree) const;
 
   private:
+    struct Way {
+        Point2 from;
+        Point2 to;
+        double bulge_m = 0.0;  // how far an arc leaves the straight way
+    };
+
+    Way last_way() const;
     Twist next_twist(double v, double w) const;
     Twist motion_of(const Twist& wheels) const;
     void take_events();

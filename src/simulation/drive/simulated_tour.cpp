@@ -227,7 +227,7 @@ Scan SimulatedTour::seen_landmarks(std::uint64_t k) const {
 }
 
 Scan SimulatedTour::scan(std::uint64_t k) const {
-    if (!world_.landmarks.at.empty()) return seen_landmarks(k);
+    if (world_.landmarks.told()) return seen_landmarks(k);
     struct Moment {
         double time_s;
         Pose pose;
@@ -253,13 +253,14 @@ Scan SimulatedTour::scan(std::uint64_t k) const {
         for (std::uint32_t ray = 0; ray < fan_.count; ++ray) {
             const auto& [time_s, pose, now] = moments[ray];
             hits.push_back(among(now)->hit(pose, ray));
-            cast_walkers(world_.walkers, time_s, compose(pose, mount),
-                         std::span(laser_directions_).subspan(ray, 1), std::span(hits).last(1));
+            cast_round_things(world_, time_s, compose(pose, mount),
+                              std::span(laser_directions_).subspan(ray, 1),
+                              std::span(hits).last(1));
         }
     } else {
         const auto& [time_s, pose, now] = moments.front();
         among(now)->cast(pose, hits);
-        cast_walkers(world_.walkers, time_s, compose(pose, mount), laser_directions_, hits);
+        cast_round_things(world_, time_s, compose(pose, mount), laser_directions_, hits);
     }
     interpolate(hits, world_.laser.sample_skip, fan_.max_range_m);
 

@@ -138,9 +138,9 @@ bool same_world(const World& a, const World& b) {
         if (!same(key.get(a), key.get(b))) return false;
     }
     return same(a.walls, b.walls) && same(a.doors, b.doors) && same(a.walkers, b.walkers) &&
-           same(a.landmarks.at, b.landmarks.at) && same(a.tour.start, b.tour.start) &&
-           same(a.tour.way_points, b.tour.way_points) && same(a.tour.commands, b.tour.commands) &&
-           same(a.tour.events, b.tour.events);
+           same(a.landmarks.at, b.landmarks.at) && same(a.landmarks.radii_m, b.landmarks.radii_m) &&
+           same(a.tour.start, b.tour.start) && same(a.tour.way_points, b.tour.way_points) &&
+           same(a.tour.commands, b.tour.commands) && same(a.tour.events, b.tour.events);
 }
 
 /// Edits that take effect together, where the text then says what is expected of it.
@@ -185,9 +185,14 @@ class WorldText::Change {
         put("", "people", values_of(people), true);
     }
 
-    void landmarks(const std::vector<Point2>& marks) {
-        expected_.landmarks.at = marks;
-        put("landmarks", "at", points_of(marks).list, false);
+    void landmarks(const MarkParams& marks) {
+        expected_.landmarks.at = marks.at;
+        expected_.landmarks.radii_m = marks.radii_m;
+        put("landmarks", "at", points_of(marks.at).list, false);
+        std::vector<TomlValue> radii;
+        radii.reserve(marks.radii_m.size());
+        for (const double radius : marks.radii_m) radii.push_back(TomlValue::of(radius));
+        put("landmarks", "radii", std::move(radii), false);
     }
 
     void start(const Pose& start) {
@@ -396,7 +401,7 @@ void WorldText::set(const World& world) {
     for (const WallSegment& door : world.doors) doors.emplace_back(door.a, door.b);
     change.doors(doors);
     change.people(world.walkers);
-    change.landmarks(world.landmarks.at);
+    change.landmarks(world.landmarks);
     change.start(world.tour.start);
     std::vector<Point2> way_points;
     for (const WayPoint& point : world.tour.way_points) way_points.push_back(point.at);

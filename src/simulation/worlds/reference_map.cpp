@@ -42,23 +42,26 @@ std::optional<Point2> shared_point(const WallSegment& one, const WallSegment& ot
     return Point2{one.a.x + s * d.x, one.a.y + s * d.y};
 }
 
-LandmarkMap marks(const World& world, const Pose& pose_start_world) {
-    LandmarkMap map;
-    for (const Point2& mark : world.landmarks.at) {
+void add_marks(const World& world, const Pose& pose_start_world, LandmarkMap& map) {
+    const MarkParams& marks = world.landmarks;
+    std::int32_t identity = 0;
+    for (const Point2& mark : marks.at) {
         const Point2 point = transform(pose_start_world, mark);
         ICaracteristica& landmark = map.emplace_back();
         landmark.value = Esquina{point.x, point.y};
-        if (world.landmarks.identities)
-            landmark.identity = static_cast<std::int32_t>(map.size()) - 1;
+        if (marks.told() && marks.identities) landmark.identity = identity++;
     }
-    return map;
 }
 
 }  // namespace
 
 LandmarkMap reference_map(const World& world) {
     const Pose pose_start_world = inverse(world.tour.start);
-    if (!world.landmarks.at.empty()) return marks(world, pose_start_world);
+    LandmarkMap map;
+    if (world.landmarks.told()) {
+        add_marks(world, pose_start_world, map);
+        return map;
+    }
     std::vector<WallSegment> walls = world.walls;
     for (WallSegment& wall : walls) {
         wall.a = transform(pose_start_world, wall.a);
@@ -84,9 +87,9 @@ LandmarkMap reference_map(const World& world) {
             if (!known) corners.push_back(*point);
         }
     }
-    LandmarkMap map;
     for (const Recta& line : lines) map.push_back({line});
     for (const Point2& corner : corners) map.push_back({Esquina{corner.x, corner.y}});
+    add_marks(world, pose_start_world, map);
     return map;
 }
 

@@ -52,6 +52,8 @@ class Reading {
                 HITOS_TEXT("Errors",
                            "found way_points and commands in [tour], expected one of them"));
         }
+        if (const Message problem = problem_of(world_.landmarks); !problem.empty())
+            fail(radii_at_, message("landmarks.radii: %1", problem));
         world_lists::check_events(world_, path_);
         return std::move(world_);
     }
@@ -105,8 +107,10 @@ class Reading {
             read_way_points(where, node);
             return;
         }
-        if (key == "landmarks.at") {
-            world_lists::read_landmarks(world_, path_, node);
+        if (key == "landmarks.at" || key == "landmarks.radii") {
+            (key == "landmarks.at" ? world_lists::read_landmarks : world_lists::read_radii)(
+                world_, path_, node);
+            if (key == "landmarks.radii") radii_at_ = where;
             return;
         }
         if (key == "tour.commands" || key == "tour.events") {
@@ -238,6 +242,7 @@ class Reading {
     int walls_ = 0;
     std::string drawing_;
     toml::source_region drawing_at_;
+    toml::source_region radii_at_;
     DxfOptions dxf_;
 };
 

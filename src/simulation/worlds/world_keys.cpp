@@ -201,7 +201,7 @@ const WorldKey& find(std::string_view key) {
     }
     if (group == "tour.")
         near.insert(near.end(), {"tour.start", "tour.way_points", "tour.commands", "tour.events"});
-    if (group == "landmarks.") near.emplace_back("landmarks.at");
+    if (group == "landmarks.") near.insert(near.end(), {"landmarks.at", "landmarks.radii"});
     if (near.empty()) {
         for (const WorldKey& other : world_keys()) near.push_back(other.key);
     }
@@ -268,6 +268,7 @@ void check(const World& world) {
         refuse("tour.events", problem_of(event, world));
     }
     for (const Walker& walker : world.walkers) refuse("people", problem_of(walker));
+    refuse("landmarks.radii", problem_of(world.landmarks));
     if (world.raster.cell_m > 0.0) check_raster(world.walls, world.raster);
 }
 

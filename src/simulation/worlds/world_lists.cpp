@@ -53,6 +53,22 @@ Message problem_of(const Walker& walker) {
     return {};
 }
 
+Message problem_of(const MarkParams& marks) {
+    if (!marks.round()) return {};
+    if (marks.radii_m.size() != marks.at.size()) {
+        return message(
+            HITOS_TEXT("Errors", "found %1 radii of %2 landmarks, expected one for each, or none"),
+            marks.radii_m.size(), marks.at.size());
+    }
+    for (const double radius : marks.radii_m) {
+        if (radius > 0.0 && radius <= 10.0) continue;
+        return message(
+            HITOS_TEXT("Errors", "found the radius %1 m, expected more than 0, at most %2"),
+            fmt::format("{}", radius), "10");
+    }
+    return {};
+}
+
 namespace world_lists {
 namespace {
 
@@ -221,6 +237,17 @@ void read_landmarks(World& world, const Path& path, const toml::node& node) {
     for (const toml::node& entry : list_of(path, node, "landmarks.at", "[[x, y], ...]")) {
         const Message name = message(HITOS_TEXT("Errors", "landmark %1"), marks.size());
         marks.push_back(read_point(path, entry, name));
+    }
+}
+
+void read_radii(World& world, const Path& path, const toml::node& node) {
+    for (const toml::node& entry : list_of(path, node, "landmarks.radii", "[radius, ...]")) {
+        const auto radius = numbers(entry, 1);
+        if (!radius) {
+            fail(path, entry,
+                 message(HITOS_TEXT("Errors", "landmarks.radii: expected a radius in metres")));
+        }
+        world.landmarks.radii_m.push_back(radius->front());
     }
 }
 

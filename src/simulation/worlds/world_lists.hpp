@@ -19,6 +19,7 @@ void read_commands(World& world, const std::filesystem::path& path, const toml::
 void read_events(World& world, const std::filesystem::path& path, const toml::node& node);
 void read_people(World& world, const std::filesystem::path& path, const toml::node& node);
 void read_landmarks(World& world, const std::filesystem::path& path, const toml::node& node);
+void read_radii(World& world, const std::filesystem::path& path, const toml::node& node);
 void read_doors(World& world, const std::filesystem::path& path, const toml::node& node);
 
 /// Throws FormatError for events of doors that are not there, with the line.

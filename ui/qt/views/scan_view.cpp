@@ -251,9 +251,16 @@ void ScanView::paint_detected(QPainter& painter, const Scene& scene) const {
     for (const QLineF& segment : segments_) painter.drawLine(scene.to_screen.map(segment));
     painter.setBrush(Qt::NoBrush);
     painter.setPen(thin_pen(scene.colours.observed, 2.0));
-    for (const QPointF& corner : corners_) {
-        const QPointF at = scene.to_screen.map(corner);
-        painter.drawRect(QRectF(at - QPointF(4.0, 4.0), QSizeF(8.0, 8.0)));
+    const std::vector<double>& radii_m = snapshot_->observation.circle_radii_m;
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+        constexpr double kLeast = 4.0;  // pixels
+        const QPointF at = scene.to_screen.map(corners_[i]);
+        if (i < radii_m.size()) {
+            const double radius = std::max(kLeast, radii_m[i] * scene.pixels_per_m);
+            painter.drawEllipse(at, radius, radius);
+        } else {
+            painter.drawRect(QRectF(at - QPointF(kLeast, kLeast), QSizeF(8.0, 8.0)));
+        }
     }
 }
 

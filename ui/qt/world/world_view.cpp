@@ -169,12 +169,7 @@ void WorldView::paint_walls(QPainter& painter, const Scene& scene) const {
     const std::vector<WallSegment> walls = tour_ ? tour_->walls_now() : world()->walls;
     draw_walls(painter, scene, walls, thin_pen(scene.colours.text, 2.0));
     paint_doors(painter, scene, walls);
-    int mark = 0;
-    for (const Point2& at : world()->landmarks.at) {
-        const QPointF place = scene.to_screen.map(point_of(at));
-        draw_cross(painter, place, scene.colours.accent);
-        painter.drawText(place + QPointF(5.0, -5.0), QString::number(mark++));
-    }
+    paint_marks(painter, scene);
     std::vector<Point2> people;
     if (tour_) people = tour_->people_now();
     for (std::size_t i = 0; i < world()->walkers.size(); ++i) {
@@ -184,6 +179,23 @@ void WorldView::paint_walls(QPainter& painter, const Scene& scene) const {
         const double radius = walker.radius_m * scene.pixels_per_m;
         const Point2 at = tour_ ? people[i] : walker.way.front();
         painter.drawEllipse(scene.to_screen.map(point_of(at)), radius, radius);
+    }
+}
+
+void WorldView::paint_marks(QPainter& painter, const Scene& scene) const {
+    const MarkParams& marks = world()->landmarks;
+    for (std::size_t i = 0; i < marks.at.size(); ++i) {
+        const QPointF place = scene.to_screen.map(point_of(marks.at[i]));
+        if (marks.round()) {
+            constexpr double kLeast = 2.5;  // pixels
+            const double radius = std::max(kLeast, marks.radii_m[i] * scene.pixels_per_m);
+            painter.setPen(thin_pen(scene.colours.accent, 1.6));
+            painter.setBrush(faded(scene.colours.accent, 60));
+            painter.drawEllipse(place, radius, radius);
+        } else {
+            draw_cross(painter, place, scene.colours.accent);
+            painter.drawText(place + QPointF(5.0, -5.0), QString::number(i));
+        }
     }
 }
 

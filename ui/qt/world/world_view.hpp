@@ -57,6 +57,7 @@ class WorldView final : public CanvasView {
     void grow_sheet();
     void paint_landmarks(QPainter& painter, const Scene& scene) const;
     void paint_walls(QPainter& painter, const Scene& scene) const;
+    void paint_marks(QPainter& painter, const Scene& scene) const;
     void paint_doors(QPainter& painter, const Scene& scene,
                      const std::vector<WallSegment>& walls) const;
     void paint_plan(QPainter& painter, const Scene& scene) const;

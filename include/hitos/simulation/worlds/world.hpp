@@ -118,12 +118,19 @@ struct OdometryParams {
 
 /// Posts, beacons, marks with a code: landmarks that a sensor tells from the rest by themselves. A
 /// robot in a world that has some has such a sensor in the place of the laser, where that would
-/// sit, with its field of view, greatest range and rate; walls hide what is behind them.
+/// sit, with its field of view, greatest range and rate; walls hide what is behind them. With radii
+/// they are trees and posts that a laser sees as circles, and the robot has its laser.
 struct MarkParams {
-    std::vector<Point2> at;  ///< [m, world frame]; a mark's place in the list is its identity
+    std::vector<Point2> at;       ///< [m, world frame]; a mark's place in the list is its identity
+    std::vector<double> radii_m;  ///< of each; empty where none is round
     double sigma_range_m = 0.1;
     double sigma_bearing_deg = 2.0;
     bool identities = true;  ///< whether the sensor tells which one it sees
+
+    /// Whether there are some that a sensor tells by themselves.
+    bool told() const { return !at.empty() && radii_m.empty(); }
+    /// Whether there are some that a laser sees.
+    bool round() const { return !radii_m.empty(); }
 };
 
 /// A place with walls, a tour through it and the robot's sensors, as a world file says.
@@ -161,6 +168,7 @@ void set_world_value(World& world, std::string_view assignment);
 /// What speaks against it; empty where nothing does.
 Message problem_of(const DriveCommand& command, const RobotParams& robot);
 Message problem_of(const Walker& walker);
+Message problem_of(const MarkParams& marks);
 
 /// Throws ConfigError for a value out of its range, and FormatError where there is no tour; code
 /// can fill the struct without a file.
