@@ -1,4 +1,5 @@
-// Whole tours of landmarks with names, from the shipped world of posts.
+// Whole tours of landmarks with names, from the shipped world of posts, and of trees without, from
+// the shipped orchard.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -75,6 +76,38 @@ INSTANTIATE_TEST_SUITE_P(, LandmarkTours,
                                          std::pair{"filter.proposal=posterior", 0.4},
                                          std::pair{"association.method=jcbb", 0.4},
                                          std::pair{"filter.algorithm=ekf-slam", 0.15},
+                                         std::pair{"filter.algorithm=graph-slam", 0.1}));
+
+class TreeTours : public testing::TestWithParam<std::pair<const char*, double>> {};
+
+/// By where they stand: nothing says which is which, and a laser alone sees them.
+TEST_P(TreeTours, AreMappedByThePlacesOfTheTrees) {
+    const auto& [assignment, limit_m] = GetParam();
+    const std::string orchard = find_world("orchard").string();
+    const World world = read_world(orchard);
+    LandmarkMap trees = reference_map(world);
+    ASSERT_EQ(trees.size(), 4 + 4 + world.landmarks.at.size());  // a shed's walls and corners first
+    trees.erase(trees.begin(), trees.begin() + 8);
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+        Driven seen = driven(orchard, seed, {assignment});
+        EXPECT_FALSE(seen.alone);
+        EXPECT_LT(seen.ate_m, limit_m) << seed;
+        EXPECT_GT(seen.odometry_ate_m, 3.0);
+        std::erase_if(seen.map, [](const ICaracteristica& landmark) {
+            return landmark.kind() == FeatureKind::line;
+        });
+        const MapError error = aligned_map_error(seen.map, trees).value().error;
+        EXPECT_GE(error.reference_found, static_cast<int>(trees.size()) - 1);
+        EXPECT_LE(seen.map.size(), trees.size() + 3);
+        EXPECT_LT(error.mean_m, limit_m) << seed;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(, TreeTours,
+                         testing::Values(std::pair{"filter.proposal=motion", 0.3},
+                                         std::pair{"filter.proposal=posterior", 0.1},
+                                         std::pair{"association.method=jcbb", 0.1},
+                                         std::pair{"filter.algorithm=ekf-slam", 0.1},
                                          std::pair{"filter.algorithm=graph-slam", 0.1}));
 
 TEST(LandmarkLogs, GiveWhatTheWorldGave) {

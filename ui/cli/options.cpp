@@ -248,6 +248,7 @@ std::string suited_words(std::string_view preset) {
     if (preset.empty()) return {};
     const char* why = preset == kWorldPreset      ? "a world"
                       : preset == kLandmarkPreset ? "its sensor tells landmarks"
+                      : preset == kTreePreset     ? "a world of trees"
                                                   : "a robot recorded it";
     return fmt::format("parameters: preset {} ({}); --preset and --config take others\n", preset,
                        why);

@@ -129,7 +129,7 @@ TEST(WorldFiles, FindsTheWorldsThatComeWithHitos) {
                              "usc-sal", "corridor", "corridor-cluttered", "park", "campus"}) {
         EXPECT_TRUE(std::filesystem::exists(find_world(name))) << name;
     }
-    EXPECT_EQ(shipped_worlds().size(), 12U);
+    EXPECT_EQ(shipped_worlds().size(), 13U);
     EXPECT_THROW(find_world("atlantis"), FileError);
     EXPECT_TRUE(is_world_file("a/b.TOML"));
     EXPECT_FALSE(is_world_file("a/b.log"));

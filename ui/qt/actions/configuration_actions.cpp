@@ -48,6 +48,8 @@ QString suited_words(std::string_view preset) {
         preset == kWorldPreset ? ConfigurationActions::tr("Parameters: %1, because this is a world")
         : preset == kLandmarkPreset
             ? ConfigurationActions::tr("Parameters: %1, because its sensor tells landmarks")
+        : preset == kTreePreset
+            ? ConfigurationActions::tr("Parameters: %1, because this is a world of trees")
             : ConfigurationActions::tr("Parameters: %1, because a robot recorded this log");
     return why.arg(translated("Preset", find_preset(preset).label));
 }

@@ -349,7 +349,7 @@ TEST(ShippedConfigurations, PaperIsThePaper) {
 /// The short files say only what differs from the defaults.
 TEST(ShippedConfigurations, HoldNothingThatIsADefault) {
     for (const char* name : {"simulated.cfg", "thesis.cfg", "ekf.cfg", "paper.cfg", "recorded.cfg",
-                             "recorded-fastslam1.cfg", "landmarks.cfg"}) {
+                             "recorded-fastslam1.cfg", "landmarks.cfg", "trees.cfg"}) {
         const Configuracion c = ArchivoConfiguracion::read(shipped(name));
         std::size_t differing = 0;
         for (const ConfigParameter& p : parameters())

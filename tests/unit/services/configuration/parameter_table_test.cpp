@@ -44,7 +44,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 111U);
+    EXPECT_EQ(keys.size(), 115U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
@@ -114,6 +114,8 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
         "registration.final_passes", "registration.edits"};
     const Keys fixed = {"observation.var_rho", "observation.var_theta"};
     const Keys points = {"observation.point_sigma", "observation.common_sigma"};
+    const Keys circles = {"features.circle_radius", "features.circle_gap",
+                          "features.circle_points"};
     const Keys split = {"split_merge.dmax", "split_merge.fit", "split_merge.gap",
                         "split_merge.gap_per_range"};
     const Keys ransac = {"ransac.edge", "ransac.edge_per_range", "ransac.threshold",
@@ -131,7 +133,7 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
                  "source.start",
                  "source.tour_seed",
                  "source.world_set"};
-    for (const Keys& keys : {rates, ratios, registered, registration, points, ransac})
+    for (const Keys& keys : {rates, ratios, registered, registration, points, circles, ransac})
         idle.insert(keys.begin(), keys.end());
     EXPECT_EQ(idle_with({}), idle);
     EXPECT_EQ(idle_with({"motion.model=no-odometry"}), idle);
@@ -145,6 +147,7 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
         with(with(idle, sigmas, registered), {},
              with(registration, {}, {"registration.loop_score", "registration.loops_agree"})));
     EXPECT_EQ(idle_with({"observation.covariance=points"}), with(idle, fixed, points));
+    EXPECT_EQ(idle_with({"features.circles=on"}), with(with(idle, {}, points), {}, circles));
     EXPECT_EQ(idle_with({"features.method=ransac"}),
               with(with(idle, split, ransac), {"features.corner_lines"}, {}));
     EXPECT_EQ(idle_with({"split_merge.fit=least-squares"}),
@@ -285,6 +288,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.extraction.split_merge = {0.51, LineFit::least_squares, 0.57, 0.58};
     c.extraction.method = "ransac";
     c.extraction.ransac = {0.71, 0.72, 0.73, 74, RansacOrder::ransac_first};
+    c.extraction.circles = {true, 0.77, 0.78, 79};
     c.extraction.covariance = ObservationCovariance::points;
     c.extraction.point_sigma_m = 0.75;
     c.extraction.common_sigma_m = 0.76;
@@ -382,6 +386,10 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"features.corner_distance", "0.59"},
         {"features.corner_angle", "0.5"},
         {"features.corner_lines", "fitted"},
+        {"features.circles", "on"},
+        {"features.circle_radius", "0.77"},
+        {"features.circle_gap", "0.78"},
+        {"features.circle_points", "79"},
         {"split_merge.dmax", "0.51"},
         {"split_merge.min_length", "0.52"},
         {"split_merge.min_points", "53"},
