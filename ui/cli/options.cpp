@@ -155,9 +155,9 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
         .add_option("--preset", options.preset,
                     "Configuration that comes with Hitos: " + preset_words() +
                         "; hitos-cli presets says what each is for. Or auto, which is the default: "
-                        "for a world simulated, for the recording of a robot recorded, where a "
-                        "sensor tells landmarks landmarks, for other logs the thesis's recommended "
-                        "values")
+                        "for a world simulated, for one of trees trees, for the recording of a "
+                        "robot recorded, where a sensor tells landmarks landmarks, for other logs "
+                        "the thesis's recommended values")
         ->excludes(file);
     command
         .add_option("--set", options.values.assignments,
