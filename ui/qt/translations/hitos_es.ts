@@ -3166,6 +3166,18 @@
         <source>expected the number of a scan and its seven hashes of 16 digits</source>
         <translation>se esperaba el número de un barrido y sus siete resúmenes de 16 dígitos</translation>
     </message>
+    <message>
+        <source>landmark %1, (%2, %3)</source>
+        <translation>el hito %1, (%2, %3)</translation>
+    </message>
+    <message>
+        <source>found %1 radii of %2 landmarks, expected one for each, or none</source>
+        <translation>hay %1 radios para %2 hitos; se esperaba uno para cada uno, o ninguno</translation>
+    </message>
+    <message>
+        <source>landmarks.radii: expected a radius in metres</source>
+        <translation>landmarks.radii: se esperaba un radio en metros</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -3490,14 +3502,6 @@
     <message>
         <source>How sure an observation is: fixed takes var_rho and var_theta for all; points computes the covariance of each line and corner from the points that support it.</source>
         <translation>Cuán segura es una observación: fixed toma var_rho y var_theta para todas; points calcula la covarianza de cada recta y esquina a partir de los puntos que la sostienen.</translation>
-    </message>
-    <message>
-        <source>Standard deviation of a measured range, for the covariance points; a higher value trusts the laser less.</source>
-        <translation>Desviación típica de una distancia medida, para la covarianza points; un valor mayor confía menos en el láser.</translation>
-    </message>
-    <message>
-        <source>Standard deviation of the error that all points of a line share, for the covariance points: walls that are not straight, ranges in steps; a higher value trusts long walls less.</source>
-        <translation>Desviación típica del error que comparten todos los puntos de una recta, para la covarianza points: paredes que no son rectas, distancias a saltos; un valor mayor confía menos en las paredes largas.</translation>
     </message>
     <message>
         <source>What is looked for in a scan: lines, corners where two lines meet, or both.</source>
@@ -4050,6 +4054,30 @@
     <message>
         <source>Whether what a sensor says of which landmark it sees is believed, wherever that landmark lies; off associates as if it said nothing.</source>
         <translation>Si se cree lo que un sensor dice de qué hito ve, esté donde esté ese hito; off asocia como si no dijera nada.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a measured range, for the covariance points and for circles; a higher value trusts the laser less.</source>
+        <translation>Desviación típica de una distancia medida, para la covarianza de los puntos y para los círculos; un valor mayor se fía menos del láser.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the error that all points of a line or circle share, for the covariance points and for circles: walls that are not straight, trunks that are not round, ranges in steps; a higher value trusts long walls less.</source>
+        <translation>Desviación típica del error que comparten todos los puntos de una recta o círculo, para la covarianza de los puntos y para los círculos: paredes que no son rectas, troncos que no son redondos, distancias a saltos; un valor mayor se fía menos de las paredes largas.</translation>
+    </message>
+    <message>
+        <source>Whether round things that stand alone are point landmarks at their centres, whatever else is looked for: trees, posts.</source>
+        <translation>Si las cosas redondas que están aisladas son hitos puntuales en su centro, se busque lo que se busque además: árboles, postes.</translation>
+    </message>
+    <message>
+        <source>Greatest radius of a circle; a higher value takes thicker trees, and more that is none.</source>
+        <translation>Radio máximo de un círculo; un valor mayor admite árboles más gruesos, y más cosas que no lo son.</translation>
+    </message>
+    <message>
+        <source>Nothing else may be as near to a circle, and what is behind it is farther by more; a higher value takes fewer twigs of bushes, and fewer trees that stand close together.</source>
+        <translation>Ninguna otra cosa puede estar tan cerca de un círculo, y lo que hay detrás está más lejos que esto; un valor mayor admite menos ramas de arbustos, y menos árboles que estén juntos.</translation>
+    </message>
+    <message>
+        <source>Fewest points of a circle; a higher value takes fewer of the trees that are far away, and less that is none.</source>
+        <translation>Mínimo de puntos de un círculo; un valor mayor admite menos árboles lejanos, y menos cosas que no lo son.</translation>
     </message>
 </context>
 <context>
@@ -4928,6 +4956,22 @@
         <source>Known identities</source>
         <translation>Identidades conocidas</translation>
     </message>
+    <message>
+        <source>Trees and posts</source>
+        <translation>Árboles y postes</translation>
+    </message>
+    <message>
+        <source>Thickest</source>
+        <translation>El más grueso</translation>
+    </message>
+    <message>
+        <source>Stands alone by</source>
+        <translation>Aislado por</translation>
+    </message>
+    <message>
+        <source>Fewest points</source>
+        <translation>Mínimo de puntos</translation>
+    </message>
 </context>
 <context>
     <name>Picture</name>
@@ -5005,6 +5049,14 @@
     <message>
         <source>FastSLAM for sensors that tell landmarks by themselves, posts or codes, and say which one they see.</source>
         <translation>FastSLAM para sensores que distinguen por sí mismos los hitos, postes o códigos, y dicen cuál ven.</translation>
+    </message>
+    <message>
+        <source>Trees and posts</source>
+        <translation>Árboles y postes</translation>
+    </message>
+    <message>
+        <source>FastSLAM for parks and orchards: trees and posts as circles in the scans of a laser that sees far.</source>
+        <translation>FastSLAM para parques y huertos: árboles y postes como círculos en los barridos de un láser que ve lejos.</translation>
     </message>
 </context>
 <context>
@@ -5659,6 +5711,10 @@
     <message>
         <source>Parameters: %1, because its sensor tells landmarks</source>
         <translation>Parámetros: %1, porque su sensor distingue hitos</translation>
+    </message>
+    <message>
+        <source>Parameters: %1, because this is a world of trees</source>
+        <translation>Parámetros: %1, porque esto es un mundo de árboles</translation>
     </message>
 </context>
 <context>
