@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -154,7 +156,6 @@ TEST_P(Circles, LieWhereTheyAreToWithinWhatTheyClaim) {
         EXPECT_LT(std::abs(off.across_m), 0.25 * spread_m);
         EXPECT_LT(std::abs(off.radius_m), 0.5 * spread_m);
         // Of two numbers, 2 were exact; the floor of one range's sigma claims less near by.
-        EXPECT_GT(off.distance2, 0.3);
         EXPECT_LT(off.distance2, 3.0);
     }
 }
@@ -175,15 +176,52 @@ TEST(CircleFits, AreExactWhereRangesAre) {
 }
 
 TEST(CircleFits, OfTwoPointsAreOfTheirAngle) {
-    // Two rays of 0.01 rad at 30 m cover 0.02 rad: a radius of about 0.3 m.
+    // Two rays of 0.01 rad at 30 m cover 0.02 rad; ranges that say next to nothing.
     const std::vector<SeenPoint> two = {{0.5, 30.0, 0}, {0.51, 30.0, 1}};
-    const auto circle = fit_circle(two, {0.01, 0.01});
+    const auto circle = fit_circle(two, {1.0, 0.01});
     ASSERT_TRUE(circle);
-    EXPECT_NEAR(circle->radius_m, 0.303, 1e-3);
-    EXPECT_NEAR(circle->range_m, 30.303, 2e-3);
+    EXPECT_NEAR(circle->radius_m, circle->range_m * std::sin(0.01), 1e-6);
+    const double lateral = 30.0 * std::sin(0.005);
+    EXPECT_NEAR(
+        circle->range_m,
+        30.0 * std::cos(0.005) + std::sqrt(circle->radius_m * circle->radius_m - lateral * lateral),
+        1e-6);
     EXPECT_NEAR(circle->bearing_rad, 0.505, 1e-9);
     // Edges anywhere in a step each: the middle to within step / sqrt(24).
-    EXPECT_NEAR(std::sqrt(circle->covariance(1, 1)), 0.01 / std::sqrt(24.0), 2e-4);
+    EXPECT_NEAR(std::sqrt(circle->covariance(1, 1)), 0.01 / std::sqrt(24.0), 2e-5);
+}
+
+// Of the fit itself, which knows no floor.
+TEST(CircleFits, AreAsFarOffAsTheirCovarianceSays) {
+    const double step = kPi / 360.0;
+    std::mt19937 engine(5);
+    std::normal_distribution<double> noise(0.0, 1.0);
+    std::uniform_real_distribution<double> anywhere(0.0, step);
+    for (const auto& [range, radius, sigma] :
+         {std::array{3.0, 0.4, 0.03}, {6.0, 0.2, 0.01}, {12.0, 0.3, 0.02}, {40.0, 0.4, 0.03}}) {
+        double distance2 = 0.0;
+        int fitted = 0;
+        for (int i = 0; i < 1000; ++i) {
+            std::vector<SeenPoint> seen;
+            for (double at = anywhere(engine) - 0.3; at < 0.3; at += step) {
+                const double off = range * std::sin(at);
+                if (std::abs(off) >= radius) continue;
+                seen.push_back({at,
+                                range * std::cos(at) - std::sqrt(radius * radius - off * off) +
+                                    sigma * noise(engine),
+                                0});
+            }
+            const auto circle = fit_circle(seen, {sigma, step});
+            if (!circle) continue;
+            ++fitted;
+            const Eigen::Vector2d off(circle->range_m - range, circle->bearing_rad);
+            distance2 += off.dot(circle->covariance.inverse() * off);
+        }
+        EXPECT_GE(fitted, 980) << range;
+        // 2 were exact.
+        EXPECT_GT(distance2 / fitted, 1.2) << range;
+        EXPECT_LT(distance2 / fitted, 2.6) << range;
+    }
 }
 
 TEST(CircleFits, KnowTheirBearingRightBehind) {
@@ -253,7 +291,7 @@ TEST(TreesInScans, AreRoundThinAndAlone) {
     EXPECT_EQ(count(bush, params), 3U);
     // A wall close behind, and the end of one.
     const Tree tree{{6.0, 0.0}, 0.2};
-    EXPECT_EQ(count({{tree}, {{{6.4, -3.0}, {6.4, 3.0}}}}), 0U);
+    EXPECT_EQ(count({{tree}, {{{6.2, -3.0}, {6.2, 3.0}}}}), 0U);
     EXPECT_EQ(count({{tree}, {{{7.4, -3.0}, {7.4, 3.0}}}}), 1U);
     EXPECT_EQ(count({{tree}, {{{6.0, 0.1}, {6.0, 3.0}}}}), 0U);
     // Points.
@@ -299,14 +337,15 @@ TEST(TreesInScans, ComeBeforeCornersAndWhatASensorTold) {
     const Place place{{{{5.0, 0.0}, 0.25}}, {{{9.0, -8.0}, {9.0, 4.0}}, {{9.0, 4.0}, {2.0, 4.0}}}};
     Scan scan = place.seen(half_turn());
     scan.landmarks = {{2.0, 0.1, 7}};
-    Observation seen = found(scan);
+    ExtractionParams params = with_circles();
+    params.corner_distance_m = 0.5;
+    const Observation seen = found(scan, params);
     ASSERT_EQ(seen.circle_radii_m.size(), 1U);
     ASSERT_EQ(seen.corners.size(), 3U);
     EXPECT_NEAR(seen.corners[0].x, 5.0, 0.01);
-    EXPECT_NEAR(seen.corners[1].x, 9.0, 0.01);
+    EXPECT_NEAR(seen.corners[1].x, 9.0, 0.1);
     EXPECT_EQ(seen.identities, (std::vector<std::int32_t>{-1, -1, 7}));
     // The common part stands for trunks that are not round.
-    ExtractionParams params = with_circles();
     params.common_sigma_m = 0.1;
     const Observation rough = found(scan, params);
     EXPECT_NEAR(rough.corner_covariances[0].trace() - seen.corner_covariances[0].trace(), 0.02,
