@@ -26,7 +26,8 @@ World grove() {
     return parse_world(kGrove, "grove.toml");
 }
 
-std::string with(std::string text, const std::string& piece, const std::string& other) {
+std::string grove_with(const std::string& piece, const std::string& other) {
+    std::string text = kGrove;
     return text.replace(text.find(piece), piece.size(), other);
 }
 
@@ -67,21 +68,20 @@ TEST(Trees, BarTheWay) {
     EXPECT_LE(live->pose_now().x, 3.0 - 0.3 - 0.26);
     for (int i = 0; i < 30; ++i) live->drive_on(-0.5, 0.0);
     EXPECT_LT(live->pose_now().x, 2.0);
-    EXPECT_NE(test::message_of([] {
-                  SimulatedTour(parse_world(with(kGrove, "[1, 1]]", "[5, 0]]"), "grove.toml"));
+    EXPECT_NE(test::message_of<FormatError>([] {
+                  SimulatedTour(parse_world(grove_with("[1, 1]]", "[4, 2.5]]"), "grove.toml"));
               }).find("of landmark 1, (2, 2.5); expected at least its radius"),
               std::string::npos);
-    EXPECT_NE(
-        test::message_of([] {
-            SimulatedTour(parse_world(with(kGrove, "[0, 0, 0]", "[3.4, 0, 0]"), "grove.toml"));
-        }).find("the start at (3.4, 0) is 0.100 m from landmark 0, (3, 0)"),
-        std::string::npos);
+    EXPECT_NE(test::message_of<FormatError>([] {
+                  SimulatedTour(parse_world(grove_with("[0, 0, 0]", "[3.4, 0, 0]"), "grove.toml"));
+              }).find("the start at (3.4, 0) is 0.100 m from landmark 0, (3, 0)"),
+              std::string::npos);
 }
 
 TEST(Trees, HaveARadiusEach) {
     const auto told = [](const std::string& radii) {
-        return test::message_of(
-            [&] { parse_world(with(kGrove, "[0.3, 0.1]", radii), "grove.toml"); });
+        return test::message_of<FormatError>(
+            [&] { parse_world(grove_with("[0.3, 0.1]", radii), "grove.toml"); });
     };
     EXPECT_NE(told("[0.3]").find("grove.toml:3: landmarks.radii: found 1 radii of 2 landmarks"),
               std::string::npos);
@@ -96,15 +96,15 @@ TEST(Trees, HaveARadiusEach) {
 TEST(Trees, StayWhereTextIsEdited) {
     WorldText text(kGrove, "grove.toml");
     World world = text.world();
-    text.apply(world);
+    text.set(world);
     EXPECT_EQ(text.text(), kGrove);
     world.landmarks.at.push_back({6.0, 2.0});
     world.landmarks.radii_m.push_back(0.25);
-    text.apply(world);
+    text.set(world);
     EXPECT_NE(text.text().find("radii = [0.3, 0.1, 0.25]"), std::string::npos);
     EXPECT_EQ(parse_world(text.text(), "grove.toml").landmarks.radii_m.size(), 3U);
     world.landmarks.radii_m.clear();
-    text.apply(world);
+    text.set(world);
     EXPECT_TRUE(parse_world(text.text(), "grove.toml").landmarks.told());
 }
 
