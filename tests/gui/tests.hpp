@@ -289,6 +289,7 @@ class ViewTest : public QObject {
     void a_click_highlights_in_both_views();
     void a_landmark_may_go_from_below_the_cursor();
     void what_is_highlighted_goes_with_its_run();
+    void trees_are_circles_as_large_as_they_are();
     void layers_are_remembered();
     void the_landmark_below_the_cursor_stays_named();
     void what_is_not_shown_cannot_be_clicked();

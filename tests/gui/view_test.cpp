@@ -542,6 +542,38 @@ void ViewTest::what_is_highlighted_goes_with_its_run() {
     QVERIFY(both() == again);  // there was nothing to take away
 }
 
+void ViewTest::trees_are_circles_as_large_as_they_are() {
+    const auto drawn = [](const std::vector<double>& radii_m, const std::vector<Point2>& at) {
+        auto snapshot = std::make_shared<Snapshot>();
+        snapshot->steps = 1;
+        snapshot->scan.points = {{4.0, -3.0}, {4.0, 3.0}, {0.0, 3.0}};
+        snapshot->observation.corners = {{3.0, 0.0}};
+        snapshot->observation.circle_radii_m = radii_m;
+        ScanView view;
+        view.resize(500, 500);
+        view.set_robot_frame(true);
+        view.set_snapshot(snapshot);
+        view.show();
+        const QImage image = view.grab().toImage();
+        std::vector<QRgb> colours;
+        for (const Point2& point : at) {
+            colours.push_back(image.pixel(
+                view.camera().to_screen(view.size()).map(QPointF(point.x, point.y)).toPoint()));
+        }
+        return colours;
+    };
+    const std::vector<Point2> on_the_large_one = {{3.0, 1.0}, {2.0, 0.0}, {3.0, -1.0}};
+    const std::vector<Point2> on_the_small_one = {{3.0, 0.6}, {2.4, 0.0}, {3.0, -0.6}};
+    const auto canvas = drawn({}, on_the_large_one);
+    QCOMPARE(drawn({0.6}, on_the_large_one), canvas);
+    const auto large = drawn({1.0}, on_the_large_one);
+    const auto small = drawn({0.6}, on_the_small_one);
+    for (std::size_t i = 0; i < canvas.size(); ++i) {
+        QVERIFY(large[i] != canvas[i]);
+        QCOMPARE(small[i], large[i]);
+    }
+}
+
 void ViewTest::layers_are_remembered() {
     Fixture f;
     f.run_steps(30);
