@@ -224,6 +224,20 @@ TEST(CircleFits, AreAsFarOffAsTheirCovarianceSays) {
     }
 }
 
+// Its points lie on a circle, but beyond the last of them the laser saw no more of it.
+TEST(CircleFits, OfHalfACircleAreNone) {
+    const double step = kPi / 360.0;
+    for (const double from : {-0.06, 0.0}) {
+        std::vector<SeenPoint> seen;
+        for (double at = from; at < 0.06; at += step) {
+            const double off = 5.0 * std::sin(at);
+            if (std::abs(off) >= 0.3) continue;
+            seen.push_back({at, 5.0 * std::cos(at) - std::sqrt(0.09 - off * off), 0});
+        }
+        EXPECT_EQ(fit_circle(seen, {0.001, step}).has_value(), from < 0.0);
+    }
+}
+
 TEST(CircleFits, KnowTheirBearingRightBehind) {
     const std::vector<SeenPoint> behind = {
         {kPi - 0.01, 5.0, 0}, {kPi, 5.0, 1}, {-kPi + 0.01, 5.0, 2}};
@@ -286,6 +300,8 @@ TEST(TreesInScans, AreRoundThinAndAlone) {
     // Twigs: as near to each other as to what may be one thing.
     const Place bush{{{{6.0, -0.4}, 0.06}, {{6.3, -0.1}, 0.06}, {{6.0, 0.2}, 0.06}}};
     EXPECT_EQ(count(bush), 0U);
+    const Place before_a_wall{bush.trees, {{{9.0, -8.0}, {9.0, 8.0}}}};  // seen between them
+    EXPECT_EQ(count(before_a_wall), 0U);
     params = with_circles();
     params.circles.gap_m = 0.15;
     EXPECT_EQ(count(bush, params), 3U);
