@@ -47,10 +47,9 @@ std::optional<FittedCircle> fit_circle(std::span<const SeenPoint> seen,
     double bearing = 0.5 * covered;
     Equations equations;
     double spread = 0.0;  // of the points about the circle, over sigma, squared
-    double edge_off = 0.0;
     for (int i = 0; i < kSteps; ++i) {
         equations = {};
-        spread = edge_off = 0.0;
+        spread = 0.0;
         const double c = std::cos(bearing);
         const double s = std::sin(bearing);
         for (const SeenPoint& one : seen) {
@@ -70,7 +69,6 @@ std::optional<FittedCircle> fit_circle(std::span<const SeenPoint> seen,
             const double edge = side < 0.0 ? -0.5 * step : covered + 0.5 * step;
             const double residual = bearing + side * half_angle - edge;
             equations.add({-side * half_sine * slope, 1.0, side * slope}, residual, sigma_edge);
-            edge_off = std::max(edge_off, std::abs(residual));
         }
         const Eigen::Vector3d move = equations.weights.inverse() * equations.sides;
         if (!move.allFinite()) return std::nullopt;
@@ -81,7 +79,7 @@ std::optional<FittedCircle> fit_circle(std::span<const SeenPoint> seen,
         if (std::abs(move(0)) + range * std::abs(move(1)) + std::abs(move(2)) < kStill) break;
     }
     const auto n = static_cast<double>(seen.size());
-    if (spread > n + 4.0 * std::sqrt(2.0 * n) || edge_off > step) return std::nullopt;
+    if (spread > n + 4.0 * std::sqrt(2.0 * n)) return std::nullopt;
     const Eigen::Matrix3d covariance = equations.weights.inverse();
     return FittedCircle{range, wrap_angle(from + bearing), radius,
                         covariance.topLeftCorner<2, 2>()};

@@ -43,8 +43,7 @@ struct CircleErrors {
 /// from the circle [Gander, Golub, Strebel, Least-squares fitting of circles and ellipses, BIT 34,
 /// 1994] and over both edges, each of which lies anywhere between two rays. Many points say what
 /// the circle is by themselves; of one or two the edges say it. The covariance is that of the last
-/// step. Nothing where the points lie on no circle, to within four sigma of their chi square, or
-/// where its edges are not those.
+/// step. Nothing where the points are not on it, to within four sigma of their chi square.
 std::optional<FittedCircle> fit_circle(std::span<const SeenPoint> seen, const CircleErrors& errors);
 
 /// Finds circles and hands what is left of the scan to another extractor. Circles are the first of
