@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Installs what is missing, builds, and opens the window on the ready tour in data/. Without a
 # display it maps the same tour from the command line; the results lie in out/. Arguments go to the
 # program. It installs and builds the one program that it runs, and says before about how long that takes.

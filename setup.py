@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The module is built by CMake; what it needs of data and configurations goes into the package beside it.
 
 HITOS_BUILD: a folder that CMake has configured with the module already; its target is built there. Else it

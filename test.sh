@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Installs what is missing, builds, and runs every test; with the name of a part that part's alone, built
 # source by source for those who change it (preset dev).
 #

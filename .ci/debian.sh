@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # A Debian of its own in a folder, the smallest there is, made by debootstrap from where this machine's
 # apt takes its packages; it needs root and the network. Sourced by .ci/on-debian and
 # tests/packaging/bare_debian; ends them with status 77 where it cannot be made here.

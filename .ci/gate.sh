@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What .ci/run and .ci/nightly have in common; sourced by both in the project's folder.
 
 part() { # part NAME: ends the part before and begins this one

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The promises of docs/reliability.md, and the tests that hold them.
 
 usage: .ci/promises.py BUILD

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the header OUT of IN, with the digest of every source under ROOT/include and ROOT/src: programs of
 # other sources must not take each other's results for their own.
 file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/include/*.hpp ${ROOT}/src/*.hpp

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # `cpack` in a build folder makes the Debian packages: hitos (programs and what they need), libhitos-dev
 # (headers, libraries and examples) and, where the module was built, python3-hitos. docs/packages.md.
 set(packaging_folder ${CMAKE_CURRENT_LIST_DIR}/packaging)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers drawn at random that have addresses: the same wherever, whenever and by whatever thread
 // they are drawn; and a digest that tells them from others.
 //

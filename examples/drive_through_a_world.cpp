@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A world, a robot that drives through it, and what its laser and its wheels say: no file is
 // written and nothing is mapped.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Maps a recorded tour: log in, landmarks and path out.
 //
 // usage: map_a_log LOG MAP.txt PATH.tum

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An algorithm of one's own: the robot is where the odometry says, and a feature within half a
 // metre of a landmark is that landmark. It stands beside FastSLAM and EKF-SLAM, chosen by
 // filter.algorithm.

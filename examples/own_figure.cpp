@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A figure of one's own: the length of the best path. Its entry is all there is to it; summary,
 // comparison, record, tables, plot and LaTeX of a study then have it.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A log format of one's own: an entry in the table of formats, and every part of Hitos reads it.
 //
 // The format: `P time x y theta` is a pose of the robot by odometry, `S time r0 r1 … r180` a scan

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A line method of one's own: lines grow point by point as long as a fit through all of their
 // points stays within dmax of the newest one (the incremental method). It is chosen like any other,
 // by features.method.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Registration by itself: every scan is laid on those before it, loops are closed, and out comes a
 // path. No filter and no landmarks.
 //

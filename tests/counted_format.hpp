@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A log format of the tests' own that counts how often a scan is made of a line.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What tests of all layers share: folders that go away by themselves, files, errors, programs.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Hitos from Python in four figures.
 
 usage: tutorial.py [FOLDER]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a rename needs to outlast a loss of power.
 #pragma once
 

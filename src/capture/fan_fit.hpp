@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From points back to a fan's ranges, for formats that log ranges.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The blank-separated fields of one line, and the numbers in them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Looks for the hypothesis about a tour with which its scans fit best.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "laser_pose.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Units in which lasers' drivers may tell ranges by mistake.
 #pragma once
 

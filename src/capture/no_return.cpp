@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the value by which a log says "no return", where the format does not state it.
 #include <algorithm>
 #include <cmath>

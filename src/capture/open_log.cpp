@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which format a log has, and one clear error where it has none.
 #include <algorithm>
 #include <array>

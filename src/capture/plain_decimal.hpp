@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Decimals as logs write them, eight characters at a time: what std::from_chars gives, sooner.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the converters of range readings have in common: which readings are points, and where.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Readings that are no metres.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where the points of one scan lie, as the laser of an earlier one sees them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How well the scans of a tour lie on each other where the odometry, read one way or another,
 // puts them.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the clocks of scans and odometry did, read off how well the scans lie at many delays.
 #pragma once
 

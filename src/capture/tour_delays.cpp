@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // When the scans were taken, by the odometry.
 #include <fmt/format.h>
 

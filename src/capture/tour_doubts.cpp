@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What TourExamination finds to doubt in what it has noted.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether the scans fit the odometry: as the tour says, or in another way.
 #include <fmt/format.h>
 

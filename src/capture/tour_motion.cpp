@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How the robot moved from scan to scan, by the scans, where the odometry says otherwise.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How the laser sits on the robot, and in which directions its rays go, by the odometry.
 #include <fmt/format.h>
 

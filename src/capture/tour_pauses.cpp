@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether the odometry went on after a pause where it was before.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // In which directions a scan's rays go, and when each of them was measured, by the odometry.
 #include <fmt/format.h>
 

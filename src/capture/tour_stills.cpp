@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether the odometry stands, or is not there, while the scans say that the robot drives.
 #include <cmath>
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether the robot turns, and drives, as far by the odometry as by the scans; and what turns say
 // of where the laser sits and of short delays, which straight ways do not show.
 #include <fmt/format.h>

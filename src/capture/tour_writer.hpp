@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the writers of all formats have in common: order, poses, and the file.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The step of an arc that turns otherwise.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Trees and posts: round things that stand alone.
 #pragma once
 

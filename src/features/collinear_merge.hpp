@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The merge of collinear pieces, the same for every method that finds lines [T table 4.4].
 #pragma once
 

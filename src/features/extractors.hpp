@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The extractors of [T fig 9.7].
 #pragma once
 

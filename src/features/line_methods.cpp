@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "hitos/features/line_methods.hpp"
 
 #include "ransac_lines.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines by successive edge following, RANSAC and total least squares [P 2].
 #pragma once
 

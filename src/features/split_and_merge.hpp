@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Split & Merge as the thesis implements it [T 4.4].
 #pragma once
 

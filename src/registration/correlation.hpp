@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where in a window a set of points correlates best with a map, whatever the start.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What other changes by hand make of the graph at once, before the tour is taken with them.
 #include <algorithm>
 #include <cmath>

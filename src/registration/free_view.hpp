@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether a place that a scan looked through holds a point that another scan saw.
 #pragma once
 

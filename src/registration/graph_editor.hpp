@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Changes by hand, as a tour comes to them.
 #pragma once
 

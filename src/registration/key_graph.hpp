@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The key scans of a tour with the edges between them, and how far they are from each other.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finds out whether the robot is where it has been before.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a place must show to be one of an earlier passage: docs/registration.md.
 #pragma once
 

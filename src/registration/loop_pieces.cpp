@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where a robot that was carried is, among all that it has seen before.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether a scan can follow on the one before at all.
 #pragma once
 

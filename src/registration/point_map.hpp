@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Points of several scans in buckets, for the nearest one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What somebody changes by hand in a registration.
 #include <algorithm>
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a registration holds: the path, its graph and the local map.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A robot that was carried, found again where it has been before.
 #include <algorithm>
 #include <cstddef>

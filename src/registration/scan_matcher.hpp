@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A scan fitted to a map of points by what lies between them and by what was known before.
 #pragma once
 

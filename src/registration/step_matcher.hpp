@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One scan placed on the local map, from several starts where one is not enough.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scan points with the direction that the surface they lie on faces.
 #pragma once
 

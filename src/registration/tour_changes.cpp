@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is gone and what is new where a second tour was found in the map of the first.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // JSON that somebody else may have written: how deep it goes, and whole numbers in it.
 #pragma once
 

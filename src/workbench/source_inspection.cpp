@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "hitos/workbench/source_inspection.hpp"
 
 #include "hitos/base/error.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of a TOML file, read key by key.
 #pragma once
 

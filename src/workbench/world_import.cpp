@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "hitos/workbench/world_import.hpp"
 
 #include <fmt/format.h>

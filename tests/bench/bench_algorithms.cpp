@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Cost of a step against the number of landmarks in the map, EKF-SLAM and FastSLAM on the same
 // observations: a robot on a circle in a field of corners sees the ten nearest.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Speed of the chain on a recorded tour: reading, line extraction, the FastSLAM step, grids.
 //
 // The log is bigloop2 where the shared logs are there, else the bigloop of data/; its odometry gets

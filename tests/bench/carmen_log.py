@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The odometry and the scans of a CARMEN log, to be changed and written again."""
 import gzip
 import math

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Is EKF-SLAM as sure as it may be? Monte Carlo runs with known noise; the normalised estimation
 // error squared (NEES) of the pose, e' P^-1 e with e = estimate - truth, has mean 3 where the
 // filter's covariance tells the truth. The mean over N runs then lies within the 95 % band of a

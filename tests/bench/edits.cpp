@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How soon a change by hand is seen, and how near what is foreseen comes to what the tour gives.
 //
 // usage: build/release/bench/bench_edits [--key M] [--most N] TOUR...

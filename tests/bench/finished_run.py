@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a run of hitos-cli has left, and how its path lies on another one."""
 import csv
 import json

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Registration on recorded tours: errors, events and time. No particle, no landmark, unless there
 // is a preset, whose algorithm then takes every step too; the times are those of registration and
 // algorithm together, without reading, lines, grids and files.

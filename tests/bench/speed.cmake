@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The program of tests/bench/speed. It is also built inside a release that is older than it:
 # configured there with CMAKE_PROJECT_INCLUDE=speed.cmake and HITOS_BASELINE=ON, and added after
 # everything else.

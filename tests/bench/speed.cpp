@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One workload of tests/bench/speed: its figures as lines `name value unit` on stdout.
 //
 // usage: bench_speed WORKLOAD [--particles N] [--threads N] [--landmarks N] [--warm SCANS]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the bench of speed calls of Hitos, the same for this build and for the release that it is
 // compared with, whose interface was another (HITOS_BASELINE; speed.cmake forwards moved headers).
 #pragma once

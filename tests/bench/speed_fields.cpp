@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Generated fields of landmarks: the robot drives the same small circle in the middle of each, sees
 // the same number of features in every step and knows all landmarks before the clock starts.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the particle filter is made of, where it is known which landmark every observation is of.
 
 #include <random>

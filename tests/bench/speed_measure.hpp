@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Clocks, counters and the lines on stdout of the bench of speed.
 #pragma once
 

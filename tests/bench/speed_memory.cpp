@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Counts what is asked of malloc by standing in its place: operator new, Eigen and TBB all end
 // there.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The workloads of the bench of speed. Each prints its figures.
 #pragma once
 

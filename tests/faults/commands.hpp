@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The commands that are made to fail and killed, small enough for hundreds of times.
 #pragma once
 

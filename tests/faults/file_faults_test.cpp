@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every file operation of a command fails in turn, as files do: no space, no more quota, an error
 // of the disk, no permission, half a write. Of these a part, spread evenly;
 // HITOS_REPEAT=1000 does all of them.

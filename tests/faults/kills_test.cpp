@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Commands that are killed at a random moment of their work: what is there then is whole, and the
 // same command again gives what it would have given. HITOS_REPEAT=10 kills ten times as often.
 #include <fmt/format.h>

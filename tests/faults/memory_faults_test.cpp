@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Memory that is refused. There are too many allocations to refuse each: a seeded sample of all,
 // one at a time; every one of the great ones; and the state of a machine that has no more, where
 // every allocation of some size is refused from one on. HITOS_REPEAT=10 takes ten times as many.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A folder in which programs are started that fail or are killed, and what they leave there.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The determinism contract (docs/determinism.md): the state after every scan of short tours is the
 // same to the last bit as it was when tests/golden was made, whatever compiled this program, on any
 // number of threads and with any vectors. Whoever means to change bits makes them anew by

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A run as an animation. What makes the film is a script of the test's own, or missing.
 
 #include <QCheckBox>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How sure the algorithm is: the pose's uncertainty, the joint covariance, the NEES.
 
 #include <QClipboard>

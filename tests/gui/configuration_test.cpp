@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Use cases 8.2.2.2 to 8.2.2.5: loading, saving, editing and keeping configurations.
 
 #include <QComboBox>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // First contact: what a new user meets first, and what must not be lost or hidden.
 
 #include <QDialogButtonBox>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Worlds drawn and changed with mouse and keys.
 
 #include <QComboBox>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Logs of a driven tour, saved on the way.
 
 #include <QProcess>

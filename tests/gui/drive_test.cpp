@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A robot driven through a world while it is mapped.
 
 #include <QComboBox>

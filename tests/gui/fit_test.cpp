@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every window fits the screen that it opens on.
 
 #include <QAbstractButton>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A robot driven by a gamepad: one of SDL's own, so that no hardware is needed.
 
 #include "world/gamepad.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the tests of the window share: answers to its questions, a window, and ways to wait.
 #pragma once
 

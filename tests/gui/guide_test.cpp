@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The user's guide: in the window's language, searched, followed, and opened at what has the
 // keyboard.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Looking at a run in numbers: the tables of landmarks and particles.
 
 #include <QDockWidget>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What becomes of a long run whose window ends without anybody being asked.
 
 #include <QComboBox>

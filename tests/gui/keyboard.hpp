@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A user without a mouse: keys go to the window that has the keyboard, and nothing else is touched.
 #pragma once
 

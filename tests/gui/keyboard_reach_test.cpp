@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the keys reach: everything, and each of them one thing.
 
 #include <QAbstractItemView>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The use cases of the thesis [T 8.2.2.1-8.2.2.11] with the keyboard alone.
 
 #include "keyboard.hpp"

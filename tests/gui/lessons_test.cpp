@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lessons: the menu, their worlds and their pages.
 
 #include <QDockWidget>

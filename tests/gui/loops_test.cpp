@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The loops of a run: listed, shown, chosen in the map, changed by hand.
 
 #include <QComboBox>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the test class that the first argument names.
 
 #include <QApplication>

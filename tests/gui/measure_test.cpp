@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Measuring in the views, and the distances files that come of it.
 
 #include <QDockWidget>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Time in the plots: every step, the errors, the shared cursor, and the figures as a table.
 
 #include "views/plots.hpp"

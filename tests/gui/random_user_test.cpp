@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Somebody who clicks, drags, scrubs and types at random: nothing may crash, hang, leak or
 // complain.
 

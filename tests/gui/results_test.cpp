@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Use case 8.2.2.9: what a run leaves is saved as the command line writes it.
 
 #include <QDialogButtonBox>

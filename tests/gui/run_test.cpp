@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Use cases 8.2.2.6 to 8.2.2.8: running, looking at maps.
 
 #include <QLabel>

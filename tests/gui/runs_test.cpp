@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs stay, and two of them can be compared.
 
 #include "runs/runs.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What somebody who looks at the screen sees, and where they would click.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A recorded session: a text of what a user does, and sees, played on the real window.
 //
 // A line is a word and what it is about; # begins a comment.

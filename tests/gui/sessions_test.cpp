@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The recorded sessions of sessions/, each as a test; with HITOS_PICTURES they make the guide's
 // pictures.
 

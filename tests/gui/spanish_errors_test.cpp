@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the libraries tell, in the language of the window.
 
 #include <QDialogButtonBox>

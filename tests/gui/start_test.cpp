@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How the window starts: with bad files, from another folder, on a world.
 
 #include <QDir>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A window with its study open, and the folder that the command line makes of the same study.
 #pragma once
 

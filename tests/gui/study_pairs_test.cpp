@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Studies of two parameters from the window, and the use of what they have found.
 
 #include <qcustomplot.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Use case 8.2.2.11 from the window: the study of a parameter.
 
 #include <qcustomplot.h>

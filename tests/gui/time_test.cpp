@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Time as a control: the time line, the pace, and running until something happens.
 
 #include <QCheckBox>

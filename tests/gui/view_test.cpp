@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Use case 8.2.2.10, and finding one's way in the views.
 
 #include <QCheckBox>

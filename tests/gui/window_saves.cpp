@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The window saves what comes of a run, a drawn world or the log of a driven tour, for those who
 // have its files fail and who kill it (tests/faults/use).
 #include <QPushButton>

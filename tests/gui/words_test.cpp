@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The translation, and the program from outside.
 
 #include <QCheckBox>

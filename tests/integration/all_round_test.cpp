@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lasers that turn all round, in a room that has no opening.
 #include <gtest/gtest.h>
 

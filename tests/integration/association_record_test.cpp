@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is told of the association of a scan is what the filter went by, on shipped worlds.
 #include "hitos/slam/association_record.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The corridor world is like the one of [P fig 3], and its named distances are those of its walls.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // EKF-SLAM on the shipped worlds, with the configuration that comes for it.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Bounded lines and vanishing landmarks on simulated tours, with the odometry's truth.
 #include <gtest/gtest.h>
 

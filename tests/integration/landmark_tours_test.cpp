@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whole tours of landmarks with names, from the shipped world of posts, and of trees without, from
 // the shipped orchard.
 #include <gtest/gtest.h>

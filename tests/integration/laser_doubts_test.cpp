@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lasers whose driver says something wrong, or whose scans are not all their own.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pages in two languages that say the same: the nine lessons, and the user's guide.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the pages of data/lessons say can be seen, seen: each lesson's world and configuration are
 // opened as the window opens them and run with several seeds. The numbers of the pages are medians
 // over 20 seeds; here are fewer, and the limits leave room.

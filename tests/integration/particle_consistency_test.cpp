@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Are the particles as sure as they may be? Monte Carlo runs in a room with noise that is exactly
 // what the filter is told. The normalised estimation error squared (NEES) of the pose has mean 3
 // where the particles' covariance tells the truth (Bar-Shalom, Li and Kirubarajan, Estimation with

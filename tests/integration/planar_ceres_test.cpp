@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The least squares of graphs against those of Ceres, whose errors are written anew here and
 // differentiated by itself.
 #include <gtest/gtest.h>

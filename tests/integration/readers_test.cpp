@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever a tour comes through, a log of any format, a world or noise on either, nothing is lost.
 #include <gtest/gtest.h>
 

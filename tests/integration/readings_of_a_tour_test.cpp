@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How often a tour is read: once to look at it, and once to run it, whatever comes of the run.
 
 #include "counted_format.hpp"

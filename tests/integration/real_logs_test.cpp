@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Golden counts of recorded logs, and the poses that they log.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Recordings by other programs give the scans and poses of the logs that they were made from.
 #include <gtest/gtest.h>
 

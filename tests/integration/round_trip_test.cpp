@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Recorded logs through the writers and back.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The segments of a finished map against the walls that were there.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Golden figures of the logs in data/logs, one of every dialect that is read.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The worlds in data/worlds do what SPEC 9 asks of them.
 #include <algorithm>
 #include <cmath>

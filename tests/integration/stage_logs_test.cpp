@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The simulated laser against the recorded one: logs of the genuine Player/Stage in the same
 // worlds, whose odometry is the true pose (shared data, skipped where absent).
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Clocks that do not stay as they are, fans of other angles and odometry that wavers: told with
 // their numbers.
 #include <gtest/gtest.h>

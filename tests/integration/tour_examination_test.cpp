@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Doubts about tours that are whole: nothing is said of clean ones, and what was made wrong on
 // purpose is told with its number.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Laws of whole runs: a tour that is moved, mirrored, slowed down, written anew, or cut and joined
 // gives the same map.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Turns, and what only turns show, that are wrong: told with their number.
 #include <gtest/gtest.h>
 

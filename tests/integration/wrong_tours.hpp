@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tours that are made wrong on purpose, and what is told of them.
 #pragma once
 

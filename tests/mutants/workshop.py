@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What tests/mutants/run and tests/mutants/machine have in common: a copy of the tree in which a
 mutant is built and given to the tests of its layer."""
 

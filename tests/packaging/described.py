@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the built programs tell of themselves by --help and their lists, and what a check may leave out."""
 import os
 import pathlib

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // BatchSLAM with the arguments of the thesis [T 9.2.7], and with all that can be wrong about them.
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli benchmark as a user calls it.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Manners of the command line: reports for programs, status, standard input, colours.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A command of hitos-cli with --json, as a user calls it.
 #pragma once
 

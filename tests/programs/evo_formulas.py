@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What evo (M. Grupp, 2017) prints of two TUM files with the same stamps, by its documented formulas,
 written anew with numpy and 4 x 4 matrices.
 

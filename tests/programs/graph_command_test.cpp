@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli graph as a user calls it.
 #include <fmt/format.h>
 #include <gmock/gmock.h>

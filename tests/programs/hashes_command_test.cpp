@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli run --hashes and compare: where two runs part.
 #include <gmock/gmock.h>
 

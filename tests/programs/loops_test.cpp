@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli: the loops of a run in files, against a reference, and changed by hand.
 #include <gmock/gmock.h>
 

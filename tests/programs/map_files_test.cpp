@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The files that a run leaves for drawing programs and for the paper's tables and figures.
 #include <gmock/gmock.h>
 

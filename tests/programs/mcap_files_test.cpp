@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // MCAP as a user writes it, read by a second implementation and by Hitos itself.
 #include <gmock/gmock.h>
 

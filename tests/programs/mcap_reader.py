@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Reads an MCAP file that Hitos wrote by the published descriptions alone, with nothing of Hitos.
 
 usage: mcap_reader.py FILE [LOG]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What every release has written opens today: folders of results, configurations, worlds, studies,
 // changes by hand. tests/releases has one folder for each, which its script `make` has made.
 #include <fmt/format.h>

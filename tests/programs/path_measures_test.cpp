@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What hitos-cli says of paths: relations, relative errors, crispness; and that it agrees with evo.
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Starts the programs as a user does and looks at what they leave.
 #pragma once
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Reads the files that `hitos-cli run --write all` leaves as other programs do.
 
 usage: read_outputs.py FOLDER

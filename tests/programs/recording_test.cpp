@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What hitos-cli says of recordings that are not what they seem.
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A folder of results is always of one run, whatever happens to the processes that write it; how
 // programs end.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli: a tour that goes on with the map of an earlier run, or is localised in it.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli simulate as a user calls it.
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli study as a user starts, stops and restarts it.
 #include <gmock/gmock.h>
 #include <spawn.h>

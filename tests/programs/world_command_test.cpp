@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli world as a user calls it.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The files that a run writes where it is asked to, read by other programs.
 #include <gmock/gmock.h>
 

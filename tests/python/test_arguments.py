@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Arguments of wrong types: a sentence names the argument, what was found and what was expected."""
 import pathlib
 import tempfile

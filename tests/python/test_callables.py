@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Line methods and proposals that are functions of Python."""
 import threading
 import traceback

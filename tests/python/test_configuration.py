@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Configurations: every parameter by its key, checked when it is set."""
 import pathlib
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Ctrl+C, and threads of Python beside what C++ computes."""
 import pathlib
 import signal

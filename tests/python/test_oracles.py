@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Known associations, against EKF-SLAM and FastSLAM written anew from the textbook.
 
 Thrun, Burgard, Fox: Probabilistic Robotics (2005), table 10.1 (EKF-SLAM with known correspondences)

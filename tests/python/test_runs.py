@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs: the same as those of the command line, step by step or at one go, and what they give."""
 import gc
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The types of the package say what is in the module, name for name, and everything is explained."""
 import ast
 import inspect

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Studies: the tables of the command line, resumed and stopped."""
 import pathlib
 import tempfile

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Tours: whatever can be opened, its scans, its odometry, its truth."""
 import gc
 import math

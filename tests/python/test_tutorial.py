@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The tutorial runs without a display and makes its four figures; the words of help() run too."""
 import os
 import pathlib

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files that fail: HITOS_FAULT_FILE=NUMBER:ERRNO[:lasting|:cut], the operation of that number on
 // what lies below HITOS_FAULT_BELOW. "lasting" is a disk that is full from then on: whatever needs
 // space fails. "cut" is a write that does half of its work and then, as the disk is full, no more;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a program does to names and bytes, noted for tests of power loss: HITOS_FAULT_JOURNAL names
 // a folder in which files stay that lose their last name, under the numbers of their inodes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Memory that is refused: HITOS_FAULT_MEMORY=NUMBER:BYTES[:lasting], the allocation of that number
 // since main has begun, of those of so many bytes at least; with "lasting" those after it too.
 #include <dlfcn.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the library of faults is told, and what it tells, by system calls that nobody has replaced.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // BatchSLAM: a study with the arguments of the thesis [T 9.2.7].
 
 #include <fmt/core.h>

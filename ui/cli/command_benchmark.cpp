@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli benchmark: tours by algorithms, as one table that anybody can make again.
 
 #include <fmt/core.h>

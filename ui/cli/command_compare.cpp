@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli compare: finished runs side by side; the first scan in which two runs differ.
 
 #include <fmt/format.h>

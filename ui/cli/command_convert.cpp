@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli convert: from one log format to another, with odometry noise if wished.
 
 #include <fmt/core.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli evaluate: the measures on finished files.
 
 #include <fmt/core.h>

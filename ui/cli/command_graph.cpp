@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli graph: a graph of poses and landmarks in g2o's text, solved, drawn and written again.
 
 #include <fmt/core.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli info and check: what a log, a recording or a world holds, as the window's source dialog
 // says it, and what of it looks wrong.
 

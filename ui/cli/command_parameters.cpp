@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli parameters: what --set and configuration files can say.
 
 #include <fmt/core.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli presets: the configurations that come with Hitos.
 
 #include <memory>

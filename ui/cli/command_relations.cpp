@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli relations: relations of a reference trajectory, to measure others by.
 
 #include <fmt/core.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli reproduce: the synthetic experiments of the thesis, run again.
 
 #include <fmt/core.h>

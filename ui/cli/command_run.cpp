@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli run: one log in; map, trajectory, pictures and summary out.
 
 #include <fmt/format.h>

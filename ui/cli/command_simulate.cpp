@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli simulate: a world in; a log, the truth and a picture out.
 
 #include <fmt/core.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli study: one log, values of parameters, several runs of each.
 
 #include <fmt/core.h>

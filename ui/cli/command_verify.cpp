@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli verify and recover: whether a folder is whole, and what can be made of what is there.
 
 #include <fmt/core.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli world: a world from what shows walls, and whether it can be driven.
 
 #include <fmt/core.h>

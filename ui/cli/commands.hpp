@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The subcommands of hitos-cli. Each adds itself to the program with its options; the options live
 // as long as the callback that uses them.
 #pragma once

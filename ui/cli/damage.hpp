@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What was wrong with a log, in words for the terminal.
 #pragma once
 

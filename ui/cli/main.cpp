@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli: runs, conversions and measures from the command line.
 
 #include <CLI/CLI.hpp>

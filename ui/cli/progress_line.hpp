@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Progress of anything that lasts, on a terminal or in a log.
 #pragma once
 

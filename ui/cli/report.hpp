@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a command says on standard output: lines for people, or one JSON object for programs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which pairs of poses to take: options of evaluate and relations.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What BatchSLAM and hitos-cli study have in common: options, progress and the closing words.
 #pragma once
 

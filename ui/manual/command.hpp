@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a program's command line offers, as plain values: manual pages and completions are made of
 // it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a shell offers when Tab is pressed: a script for each shell, made of the command.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # hitos_describe(PROGRAM): the program writes its manual pages and completions (--describe) when all
 # is built, and they are installed with it.
 function(hitos_describe program)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The manual pages and completions of a program, written by the program itself when it is built.
 #pragma once
 

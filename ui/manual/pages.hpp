@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The manual pages of the programs and of the configuration file.
 #pragma once
 

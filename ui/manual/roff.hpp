@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Manual pages as troff reads them: man(7), groff_man(7).
 #pragma once
 

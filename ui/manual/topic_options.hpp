@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The options that say how a log is to be read and into which map, which both programs have.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What can stand as the value of an argument, for completions: from the tables of formats, presets,
 // worlds and parameters.
 #pragma once

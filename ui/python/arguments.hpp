@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Arguments of functions of Python: what cannot be taken is refused in a sentence that names it.
 // pybind11's own error lists every signature and says neither which argument it is nor what ails
 // it.

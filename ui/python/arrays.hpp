@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Arrays of numpy that show memory of C++, and the other way.
 #pragma once
 

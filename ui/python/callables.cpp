@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Line methods and proposals of Python, added to the registries where every program adds its own.
 
 #include "callables.hpp"

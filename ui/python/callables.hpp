@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Functions of Python that find lines and propose poses.
 #pragma once
 

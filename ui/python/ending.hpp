@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The interpreter's lock, let go and taken, and the interpreter's end, at which daemon threads may
 // still be at work in here.
 #pragma once

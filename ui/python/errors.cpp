@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From the errors of Hitos to exceptions of Python, and the other way for functions of Python.
 
 #include <new>

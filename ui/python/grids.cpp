@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Occupancy grids as arrays, and their drawing along a path.
 
 #include "grids.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What runs are measured by, and the files that it is read from.
 
 #include "hitos/services/evaluation/measures.hpp"

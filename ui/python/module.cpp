@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The extension module behind `import hitos`; hitos/__init__.py gives out what is in here.
 
 #include "bindings.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A line method that is a function of Python.
 
 #include <pybind11/numpy.h>

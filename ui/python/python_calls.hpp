@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Crossing to Python and back: who holds the interpreter's lock, and what becomes of exceptions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs: RunWorker, which window and command line use too, driven from Python.
 
 #include "runs.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Snapshots of runs: what a run is after a scan, as arrays.
 
 #include "snapshots.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Studies: run_studies(), which window and command line use too.
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tours: logs, recordings and worlds, their scans and their odometry.
 
 #include "tours.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The one way in which Hitos writes files: beside the target, then renamed.
 #pragma once
 

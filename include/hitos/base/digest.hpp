@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tells changed bytes from unchanged ones.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a process clears before it is ended from outside, with no time to end by itself.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Elementary functions made of additions, multiplications, divisions and choices alone, each
 // correctly rounded by IEEE 754: the same bits on every machine and by every instruction set, which
 // a C library does not promise. They have no branches, so that compilers make vector instructions

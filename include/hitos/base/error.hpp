@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The typed errors of Hitos. Every message says what was found, where, what was expected and what
 // to do; nothing in the libraries prints.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Points, poses and twists of the plane. Metres, radians, seconds. A pose named `pose_a_b` takes
 // coordinates in frame b to frame a.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files that a command reads, kept from what it writes and from what others write meanwhile.
 #pragma once
 

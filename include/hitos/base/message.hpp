@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the libraries tell people: sentences in English that a window can say in another language.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One entry for each parameter: what it is, how it is reached and when it has an effect.
 #pragma once
 

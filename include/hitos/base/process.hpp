@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What all programs share as processes: signals and streams.
 #pragma once
 

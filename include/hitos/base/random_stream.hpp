@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Counter-based random numbers: the draw is a function of (seed, purpose, step, index), so results
 // do not depend on the number or the order of threads.
 #pragma once

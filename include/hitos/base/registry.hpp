@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Named ways of doing one thing: line methods, motion models, log formats and the like.
 #pragma once
 

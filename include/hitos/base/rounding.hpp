@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rounded numbers, of which no zero has a sign.
 #pragma once
 

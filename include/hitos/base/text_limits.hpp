@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a library that parses a text is spared: nesting, long keys and counts that it would follow
 // until its stack or the memory ends.
 #pragma once

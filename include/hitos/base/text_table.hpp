@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A small table as text: for papers, pages and spreadsheets.
 #pragma once
 

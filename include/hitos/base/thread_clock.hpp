@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Time that this thread, or the whole program, was at work, which other programs on a busy machine
 // do not lengthen.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Texts of the libraries that a window shows in its user's language.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether structures are checked after every step: a build's choice (HITOS_VALIDATE of CMake).
 #pragma once
 

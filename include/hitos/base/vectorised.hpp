@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Loops compiled for several instruction sets, of which the machine's best is run.
 #pragma once
 

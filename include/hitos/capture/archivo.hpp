@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A log file as a source [T 9.2.2], plain or gzip, streamed in bounded memory.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From one raw format to the normalised record [T 9.2.2].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Logs whose scans stand where an algorithm found them.
 #pragma once
 

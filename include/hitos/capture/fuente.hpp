@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where raw log lines come from [T 9.2.2].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Damage that was met in a source and is still to be told.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Two tours as one, the second of which begins anywhere in what the first has seen.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of log formats: all that tells one format from another.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What all files of the UTIAS Multi-Robot Cooperative Localization and Mapping Dataset begin with,
 // and the rows of numbers that follow.
 #pragma once

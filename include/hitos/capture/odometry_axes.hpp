@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which way the axes and the heading of logged poses point.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which steps of a logged path a robot drives.
 #pragma once
 

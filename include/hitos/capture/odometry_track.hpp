@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where the odometry puts the robot at any time of a tour.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Hands out scans and odometry in the normalised form [T 9.2.2].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A tour that can be read again from any place that it has been read to.
 #pragma once
 

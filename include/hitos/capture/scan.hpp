@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One laser scan and one odometry reading, as every layer above sees them [T fig 9.2].
 #pragma once
 

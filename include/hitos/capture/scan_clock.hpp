@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A laser's clock that runs at another speed than the odometry's, or that was set.
 #pragma once
 

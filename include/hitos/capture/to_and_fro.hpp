@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether places go to and fro between two tracks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Doubts about a tour that is whole: clocks, mounting and units that do not fit each other.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What there is to doubt about a tour that is whole.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What every layer above asks for scans and odometry, wherever they come from.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Landmarks and observed features: infinite lines and corners [T 7.4.2, 9.2.3].
 #pragma once
 

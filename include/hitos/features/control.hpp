@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From odometry readings to the controls between two scans [T fig 9.11].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Parameters of what is found in a scan, one struct per part [T ch. 4, SPEC 4].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From a scan to observed features [T ch. 4, 9.2.3].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The methods that find lines in a scan [T 4.4, fig 9.7].
 #pragma once
 

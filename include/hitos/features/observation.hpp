@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What one scan shows: lines and corners with what supports them [T 9.2.3].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The features of a recorded tour, extracted once and handed to many runs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where a second tour saw something else than the first one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What somebody changes by hand in the graph of a tour.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A place that looked like one of an earlier passage, and what became of it.
 #pragma once
 

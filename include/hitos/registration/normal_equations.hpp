@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The sparse linear system of a Gauss-Newton step over variables of several numbers each.
 #pragma once
 

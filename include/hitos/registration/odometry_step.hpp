@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the wheels say of a step, how sure that is, and what the laser's mounting does to it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Poses with the vectors and matrices of estimation, in world axes [m, m, rad].
 #pragma once
 

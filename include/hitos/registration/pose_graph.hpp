@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Poses and what is known between them: the graph of key scans (Lu and Milios, 1997).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Solves the graph of key scans by Gauss-Newton steps (Lu and Milios, 1997).
 #pragma once
 

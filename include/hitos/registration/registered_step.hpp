@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What registration says of a scan, as plain values for whoever uses the path.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Registration: every scan matched with what was seen before, loops closed, a path with covariance.
 #pragma once
 

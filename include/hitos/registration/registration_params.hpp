@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Parameters of registration. Where each number comes from: docs/registration.md.
 #pragma once
 

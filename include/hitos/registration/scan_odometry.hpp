@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Odometry where there is none: from one scan to the next, by registration.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How far from its origin the things of a world may lie.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What an algorithm weighed when it took the features of a scan for what it did.
 #pragma once
 

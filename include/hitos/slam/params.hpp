@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Parameters of the filters, one struct per part; SPEC §5.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Graphs of poses and landmarks of the plane as other programs have them, and their least squares.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where a particle filter draws its particles' new poses [T table 3.2].
 #pragma once
 

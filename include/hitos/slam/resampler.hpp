@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // When and how particles are resampled [T 6.3].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Motion models of a robot: one class each [T 7.4.1, 9.2.4].
 #pragma once
 

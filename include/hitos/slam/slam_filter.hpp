@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What every SLAM algorithm of Hitos offers to the services.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Benchmarks: tours by algorithms, each several times, as one table that anybody can make again.
 #pragma once
 

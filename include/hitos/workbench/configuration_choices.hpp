@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Single values that a user asks for, over a configuration.
 #pragma once
 

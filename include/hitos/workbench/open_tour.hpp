@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The one place that decides what a source is, a log or a world to simulate, and what is known of
 // it.
 #pragma once

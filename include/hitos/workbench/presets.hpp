@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The configurations that come with Hitos, by name.
 #pragma once
 

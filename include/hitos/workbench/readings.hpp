@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Readings of what the thesis leaves unsaid of its simulator and its program, to be tried.
 #pragma once
 

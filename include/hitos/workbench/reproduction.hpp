@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the synthetic experiments of thesis chapter 10 again and sets the outcome beside its
 // figures.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the thesis's experiments that are shown by grid maps and counts.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The files that come with Hitos: where they lie, and which of them are worlds and lessons.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a data source holds, be it a log or a world to simulate.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Odometry noise in studies, the same from the window and from the command line.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What thesis chapter 10 shows without a table of errors: grid maps for several values of a
 // parameter, pairs of SLAM's and odometry's map, counts.
 #pragma once

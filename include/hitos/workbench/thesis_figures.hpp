@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The figures of thesis chapter 10: what was measured, with which fixed parameters, and which
 // values the text calls good.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a simulated tour is written as: the log that a robot would have written, and what is true.
 #pragma once
 

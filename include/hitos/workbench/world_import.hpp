@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Worlds made from what shows walls: drawings, maps, finished runs, pictures of what is occupied.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // CARMEN logs: ODOM, FLASER, ROBOTLASER1, RAWLASER1 and the parameters that describe the laser.
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the logger's times, the last number of a CARMEN line, say of the stamps.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // CARMEN logs as they are written: with FLASER where the fan is the one that such a line implies,
 // else with ROBOTLASER1.
 #include "formats/carmen_writer.hpp"

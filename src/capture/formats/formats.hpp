@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The entries of the table of log formats, one file each, and what they share.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A tour as a recording of ROS 2 in MCAP: what a robot's driver and odometry would have published.
 #include <algorithm>
 #include <cmath>

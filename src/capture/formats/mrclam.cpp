@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tours of the UTIAS Multi-Robot Cooperative Localization and Mapping Dataset (Leung, Halpern,
 // Barfoot, Liu: The UTIAS multi-robot cooperative localization and mapping dataset, International
 // Journal of Robotics Research 30(8), 2011; file formats as its site describes them): of each robot

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The normalised format of [T A.3]: points and velocities, nothing to convert; besides, landmarks
 // that a sensor tells by themselves. Written with digits that read back as the same bits.
 #include <cmath>

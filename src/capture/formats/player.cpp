@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Player/Stage writelog [T A.1], in the variants of Player 1.5 to 3.1. Written with more decimals
 // than Player prints.
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The text format of [T A.2]. It has no place for the laser's mounting: ranges and bearings are
 // written as seen from the robot.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ROS recordings: bags, MCAP, rosbag2's SQLite files and its folders.
 #include <map>
 

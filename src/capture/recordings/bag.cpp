@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ROS 1 bags, version 2.0 [wiki.ros.org/Bags/Format/2.0]. They are read from front to back, so that
 // a bag without its index, as after a recording that was broken off, is read as well.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Bytes that are read once, from front to back, and parts of them.
 #pragma once
 

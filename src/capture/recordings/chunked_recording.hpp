@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What bags and MCAP have in common: records one after another, some of them in chunks.
 #pragma once
 

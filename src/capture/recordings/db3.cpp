@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // rosbag2's SQLite files. A file is bad input like any other: what its schema could run is shut
 // off, and rows must come in order, so that damage can neither repeat them without end nor blow
 // memory up.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "recordings/db3_leaves.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Messages of a damaged SQLite file, found page by page where its tree leads no further: the pages
 // above the leaves are written behind them, and so are the first to be cut off.
 #pragma once

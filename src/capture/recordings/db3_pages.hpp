@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The pages of an SQLite file as they stand in it and in the log of changes (-wal) beside it
 // [sqlite.org/fileformat2]. SQLite itself writes beside the file that it reads: it makes a -shm,
 // and takes possession of a -wal where it may.

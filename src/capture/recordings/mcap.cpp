@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // MCAP, the container of ROS 2 recordings [mcap.dev/spec]. It is read from front to back: neither
 // index nor summary is needed.
 #include <array>

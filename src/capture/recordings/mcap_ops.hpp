@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a reader and a writer of MCAP both know [mcap.dev/spec].
 #pragma once
 

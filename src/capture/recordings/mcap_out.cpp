@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "recordings/mcap_out.hpp"
 
 #include <zlib.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes MCAP, the container of ROS 2 recordings [mcap.dev/spec].
 #pragma once
 

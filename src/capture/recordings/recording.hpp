@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Messages of a ROS recording, whatever holds them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The folder that ROS 2's recorder makes: metadata.yaml and one file after another.
 #include <algorithm>
 #include <charconv>

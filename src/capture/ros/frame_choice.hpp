@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whose transforms are those of a laser, and what there is to doubt about them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The frames of a robot, as /tf and /tf_static tell them.
 #pragma once
 

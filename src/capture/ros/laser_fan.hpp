@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A laser message as a fan in the robot's frame, and two of them as one.
 #pragma once
 

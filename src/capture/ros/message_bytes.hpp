@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Walks over a message in ROS 1's serialisation [wiki.ros.org/msg] or in CDR [OMG DDS-XTypes 7.4],
 // which aligns numbers to their size and ends texts by a zero.
 #pragma once

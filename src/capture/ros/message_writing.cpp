@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "ros/message_writing.hpp"
 
 #include <array>

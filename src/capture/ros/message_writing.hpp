@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The ROS messages that a tour is made of, as their bytes, and what ROS 2 says of their types.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Range limits of lasers that leave hardly a reading, or are swapped.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From the lines of a recording's source to records.
 #include <cstring>
 #include <type_traits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the source of a recording hands its converter as the text of a line.
 #pragma once
 

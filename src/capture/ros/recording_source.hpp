@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A ROS recording as a source of scans and odometry.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Messages come in the order in which they were received; a tour is in the order of its stamps.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What of a recording is read for a tour, and what there is to doubt about that.
 #pragma once
 

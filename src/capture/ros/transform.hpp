@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rigid motions of space, as far as the mounting of a laser needs them.
 #pragma once
 

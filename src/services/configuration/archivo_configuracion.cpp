@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The one file that includes toml++, which is slow to compile.
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 

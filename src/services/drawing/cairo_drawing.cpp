@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Drawings by cairo, as PDF and over pixels. Whatever several threads share in cairo and fontconfig
 // these lock; surface, context and font are each drawing's own.
 #include <cairo-ft.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The true walls and the scans where the odometry puts them [P fig 3a].
 #pragma once
 

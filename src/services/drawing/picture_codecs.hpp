@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // PNG and JPG by their own libraries, and the simple kinds of pictures that are read besides.
 // OpenCV's codecs would bring a hundred libraries of maps and databases with them, which every
 // start of a program had to load.

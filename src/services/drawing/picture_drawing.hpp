@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the writers of pictures share: paths, marks, scale bars and the encoding.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures that are little more than their bytes: PBM, PGM and PPM (netpbm's pages pbm(5), pgm(5)
 // and ppm(5)), and BMP (Microsoft, "Bitmap Storage").
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "hitos/services/drawing/scale_bar.hpp"
 
 #include <fmt/format.h>

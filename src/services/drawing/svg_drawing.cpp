@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Drawings as SVG 1.1 (W3C Recommendation, 16 August 2011). cairo's own are no help to who wants to
 // edit them: letters are outlines there, layers have no names, and what it numbers goes on counting
 // from one file of a process to the next.

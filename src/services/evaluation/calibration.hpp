@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether the regions that a filter gives hold the truth as often as they say.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether the distances between walls are as sure as the filter says.
 #include <Eigen/Dense>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How crisp a map is, without any truth and without a grid.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which poses of two trajectories, or of a trajectory and a list of times, are of one moment.
 #pragma once
 

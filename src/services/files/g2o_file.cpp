@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // After g2o's types slam2d and slam2d_addons: a vertex is its tag, number and estimate, an edge its
 // tag, numbers, measurement and the upper triangle of its information, row by row. Lines stand with
 // theta before rho, and a vertex ends with the numbers of its end points, -1 where it has none.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // After the descriptions of the standard by its authors: F. Amigoni, W. Yu, T. Andre, D. Holz,
 // M. Magnusson, M. Matteucci, H. Moon, M. Yokotsuka, G. Biggs, R. Madhavan, "A Standard for Map
 // Data Representation: IEEE 1873-2015 Facilitates Interoperability Between Robots", IEEE Robotics &

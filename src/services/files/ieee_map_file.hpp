@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Maps as robot map data of IEEE 1873-2015.
 #pragma once
 

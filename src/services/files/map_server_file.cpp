@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // After the documentation of map_server (ROS 1) and nav2_map_server (ROS 2), mode "trinary":
 // with p = (255 - pixel) / 255 a cell is occupied where p > occupied_thresh, free where
 // p < free_thresh, else unknown.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What drawings of a map consist of, before a format is thought of.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tour of a finished run as a log with the poses that the run found.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What summaries of runs and records of studies state alike.
 #pragma once
 

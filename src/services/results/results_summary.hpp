@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How summary.json is read: by what opens a folder of results and by what checks one.
 #pragma once
 

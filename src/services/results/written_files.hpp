@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The lists by which folders of results and of studies say what they consist of.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "hitos/services/run/step_figures.hpp"
 
 #include <fmt/core.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What has changed from one benchmark to the next.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A benchmark's table: for people, papers, spreadsheets, browsers and programs.
 #include "hitos/services/study/benchmark_table.hpp"
 

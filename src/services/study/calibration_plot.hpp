@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How often the truth lies in a filter's regions, against how often it ought to.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What runs read in common: the tours, and the features of their scans.
 #pragma once
 

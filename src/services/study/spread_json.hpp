@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Figures and times of runs as the JSON of studies and benchmarks has them.
 #pragma once
 

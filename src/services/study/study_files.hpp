@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The files of a study: their names, its plan, and a record for each run.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where a study is worked on, and how what it has written is put in place.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The grid maps of a study as pictures and on one contact sheet.
 #pragma once
 

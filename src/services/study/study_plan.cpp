@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The runs of a study: their order, names and digests, and whether the study makes sense.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Plots of a study's summary, drawn by gnuplot.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A run's record as a file: what was measured, and by what its map and pictures are known.
 #include <system_error>
 

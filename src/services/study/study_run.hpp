@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a run of a study is, and what it is measured by.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The figures of a study as text: CSV with every digit, Markdown and LaTeX for people.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Masks of cells, and lines one cell thin through them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The sections of a DXF drawing: its entities as they stand in the file, its blocks and layers.
 #pragma once
 

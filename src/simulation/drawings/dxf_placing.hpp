@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where a drawing's walls come to stand, and how large they are.
 #pragma once
 

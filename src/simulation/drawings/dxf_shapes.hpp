@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What an entity of a DXF drawing looks like: lines in space, curves as chords.
 #pragma once
 

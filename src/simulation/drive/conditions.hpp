@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What stands in the world at a time, and what ails robot and laser then.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The robot's driver: where to turn and how fast to go, without noise and without chance.
 #include "drive.hpp"
 

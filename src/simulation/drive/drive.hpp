@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A world's tour with all that was true of it, for those who make scans of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How the robot follows the velocities that are asked of it.
 #pragma once
 

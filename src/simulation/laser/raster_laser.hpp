@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a laser scanner measures in a simulator that knows its walls as the cells of a picture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "hitos/simulation/laser/simulated_laser.hpp"
 
 #include <algorithm>

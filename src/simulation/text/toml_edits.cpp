@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Values and lists of a TOML text, changed where they stand.
 #include <fmt/format.h>
 

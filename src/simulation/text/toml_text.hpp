@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A TOML text that is edited where it stands: what is not changed keeps every byte.
 #pragma once
 

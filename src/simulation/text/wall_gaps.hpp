@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Stretches of walls that doors take the place of.
 #pragma once
 

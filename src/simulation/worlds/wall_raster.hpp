@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A world's walls as the cells of a picture.
 #pragma once
 

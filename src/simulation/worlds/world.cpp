@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads world files; their lists of tables are read beside (world_lists).
 #include "hitos/simulation/worlds/world.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The keys of a world file that hold one value, and how they are set from words.
 #include <fmt/format.h>
 

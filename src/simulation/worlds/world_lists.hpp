@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The parts of a world file that are lists of tables: commands, events, people, doors.
 #pragma once
 

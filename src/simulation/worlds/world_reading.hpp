@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reading world files in parts, for those who edit them.
 #pragma once
 

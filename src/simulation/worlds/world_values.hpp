@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Setting a world's values by key, for the two readers of them.
 #pragma once
 

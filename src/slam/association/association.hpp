@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which landmark an observation belongs to [T ch. 5].
 #pragma once
 

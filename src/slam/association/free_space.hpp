@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Negative evidence: which landmarks a scan looks through.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Joint compatibility in a particle, whose landmarks are independent of each other.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Joint compatibility branch and bound (Neira and Tardos, 2001, "Data association in stochastic
 // mapping using the joint compatibility test").
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a correction of the path does to a map: its landmarks move along, and those that it lays
 // upon each other become one.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a scan's features say as measurements with their covariances.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Observations of one scan that would make two landmarks of one wall.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // EKF-SLAM: one Gaussian over the pose and all landmarks [P 3-5].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which landmarks the observations of EKF-SLAM are of.
 
 #include <algorithm>

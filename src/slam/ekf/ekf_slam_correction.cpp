@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What registration's corrections do to EKF-SLAM.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A symmetric matrix of which one half is stored.
 #pragma once
 

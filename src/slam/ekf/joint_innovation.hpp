@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The joint innovation of several pairings in EKF-SLAM.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The Gaussian that EKF-SLAM carries: pose and landmarks in one state [P eq 3, 9].
 #pragma once
 

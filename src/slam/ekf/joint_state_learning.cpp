@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How EKF-SLAM's Gaussian learns, and what is at hand of it.
 
 #include <Eigen/Cholesky>

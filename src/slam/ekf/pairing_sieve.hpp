@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which landmarks of EKF-SLAM an observation cannot be of, at a glance.
 #pragma once
 

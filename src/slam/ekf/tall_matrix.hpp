@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Matrices of many rows and few columns, for products that are limited by arithmetic alone.
 #pragma once
 

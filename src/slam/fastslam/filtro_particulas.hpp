@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // FastSLAM 1.0 [T ch. 3, tables 3.2 and 6.3].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What FastSLAM does with a block of particles at once: observation after observation, lane by
 // lane.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What becomes of the particles' maps besides updates, and what is told of the best one.
 
 #include <algorithm>

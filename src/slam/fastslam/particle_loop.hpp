@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Loops over particles, in parallel where that pays.
 #pragma once
 

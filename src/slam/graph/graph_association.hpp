@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which landmark of the graph an observed feature belongs to.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether the graph of graph-slam is sound.
 #include <Eigen/Eigenvalues>
 #include <cmath>

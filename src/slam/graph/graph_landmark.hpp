@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Landmarks of graph-slam: where they are, in coordinates that suit a least-squares step.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // graph-slam: key poses and landmarks as one least-squares problem.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The whole graph of graph-slam at once: its least squares and what it knows.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The newest part of the graph of graph-slam, solved while the rest stays where it is.
 #pragma once
 

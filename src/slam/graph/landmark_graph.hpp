@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The graph of graph-slam: key poses and landmarks, and what ties them to each other.
 #pragma once
 

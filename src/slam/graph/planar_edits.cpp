@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Changes by hand of a graph from a file.
 #include <algorithm>
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The error of an edge of a planar graph, with its derivatives.
 #pragma once
 

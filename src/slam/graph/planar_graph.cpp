@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The errors of edges are those of g2o's types slam2d and slam2d_addons, for which chi square is
 // the same number.
 #include "hitos/slam/planar_graph.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Levenberg's and Marquardt's least squares of a planar graph (Madsen, Nielsen and Tingleff, 2004).
 #include <algorithm>
 #include <cmath>

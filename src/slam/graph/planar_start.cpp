@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where the vertices of a graph are by its edges alone.
 #include <cstdint>
 #include <queue>

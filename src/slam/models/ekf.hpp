@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The extended Kalman filter of one landmark under a known pose [T 7.3, table 3.2].
 #pragma once
 

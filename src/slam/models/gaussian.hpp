@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Gaussians over poses whose covariance may be singular.
 #pragma once
 

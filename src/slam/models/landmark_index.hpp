@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which landmarks of a map are near what was observed: a tree of bounds, shared by maps until
 // written (boxes that bound boxes: Guttman, 1984, "R-trees").
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of landmark kinds, from which the filters make all that they do kind by kind.
 #pragma once
 

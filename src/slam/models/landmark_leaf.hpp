@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Landmarks in leaves of eight, shared by maps until written.
 #pragma once
 

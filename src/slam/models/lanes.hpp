@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The filter of one landmark in plain numbers, for loops over many landmarks or particles that
 // compilers make vector instructions of. One by one they give the same bits.
 #pragma once

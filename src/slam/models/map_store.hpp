@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The maps of all particles: landmarks by kind, in leaves that maps share until written.
 #pragma once
 

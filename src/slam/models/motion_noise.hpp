@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Motion with noise, of one particle or many at once.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The odometry's increments and noise in proportion to each of them [P eq 10-14].
 
 #include <cmath>

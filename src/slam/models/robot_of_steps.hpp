@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the motion models have in common that carry a pose on by the odometry's step.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The controls and noise whose variance grows with the motion (SPEC 5).
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The path of registration, from which particles deviate boundedly.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "Diferencial con odometría" [T 7.4.1]: the controls and noise of constant sigma, none at rest.
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // "Diferencial sin odometría" [T 7.4.1]: the controls are ignored, the particles only spread.
 
 #include <utility>

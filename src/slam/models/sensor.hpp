@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the kinds of landmarks have in common [T 7.4.2, 9.2.4].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Corners as the robot sees them [T 7.4.2].
 //
 // The Jacobian is [T eq 7.22]; the printed inverse [T eq 7.23] contains an error. Both are tested

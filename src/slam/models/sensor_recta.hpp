@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lines as the robot sees them [T 7.4.2].
 //
 // The printed Jacobian [T eq 7.26] and inverse [T eq 7.27] contain errors; the ones here are

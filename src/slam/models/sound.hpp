@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How checks of structures tell what they find.
 #pragma once
 

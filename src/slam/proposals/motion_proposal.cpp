@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // FastSLAM 1.0's proposal: the motion model itself [T table 3.2, line 4].
 
 #include "hitos/slam/robot.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // FastSLAM 2.0's proposal: the pose given motion and observations (Montemerlo, Thrun, Koller and
 // Wegbreit, 2003, "FastSLAM 2.0"; Thrun, Burgard and Fox, 2005, Probabilistic Robotics,
 // table 13.3).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The proposals that Hitos brings along, one file each.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Low variance [T table 6.2], elsewhere called systematic (Kitagawa, 1996): one draw for all.
 
 #include "cumulated_weights.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The resampling methods that Hitos brings along, one file each; Douc, Cappé and Moulines (2005,
 // "Comparison of resampling schemes for particle filtering") compare them.
 #pragma once

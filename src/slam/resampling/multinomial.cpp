@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Multinomial (Gordon, Salmond and Smith, 1993): M independent draws.
 
 #include "cumulated_weights.hpp"

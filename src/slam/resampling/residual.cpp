@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Residual (Liu and Chen, 1998, "Sequential Monte Carlo methods for dynamic systems"): whole
 // copies first, and the rest by multinomial draws.
 

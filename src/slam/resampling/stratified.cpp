@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Stratified (Kitagawa, 1996, "Monte Carlo filter and smoother"): one draw in each M-th part.
 
 #include "cumulated_weights.hpp"

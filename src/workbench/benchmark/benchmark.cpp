@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Does what a benchmark's plan says.
 #include "hitos/workbench/benchmark.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads the plan of a benchmark.
 #include <fmt/format.h>
 #include <toml++/toml.h>

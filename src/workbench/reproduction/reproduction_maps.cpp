@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "hitos/workbench/reproduction_maps.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The document and the table of the experiments shown by maps.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the reproductions of figures and of maps share: the thesis's worlds as they are driven
 // through, how studies are run, documents with pictures beside them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The plots of a reproduction: error and landmarks of the thesis and of Hitos, one above the other.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

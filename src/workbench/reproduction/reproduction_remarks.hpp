@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the document of a reproduction says besides its figures.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tables and the document of a reproduction.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Sums over the rows of a reproduction, and the tables made of them.
 #pragma once
 

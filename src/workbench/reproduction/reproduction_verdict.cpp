@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether a reproduced row is what the thesis says.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Reads data/thesis: the tables of fixed parameters, and the experiments shown by maps and counts.
 #include <fmt/format.h>
 #include <toml++/toml.h>

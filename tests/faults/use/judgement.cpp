@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is judged of a workplace after each step: parts are as before or as undisturbed commands
 // make them.
 #include <fmt/format.h>

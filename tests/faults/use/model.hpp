@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Use of hitos-cli as it goes on for a year: commands in any order, disturbed in any way, against a
 // model of what must be there afterwards. What a command gives is what it gives undisturbed in a
 // folder of its own; a disturbed one leaves what was there before, or that.

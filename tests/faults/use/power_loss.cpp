@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "power_loss.hpp"
 
 #include <sys/stat.h>

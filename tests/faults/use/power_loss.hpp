@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a disk has after the current failed: of names and bytes whatever was flushed, and of the
 // rest any part in any order.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A program that is loaded once and runs as often as it is asked, each time in a child of its own.
 #pragma once
 

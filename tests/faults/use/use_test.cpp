@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Use of the program as it goes on for a year. HITOS_USE=FIRST_SEED:SEQUENCES[:STEPS] chooses
 // another part of it than the gate's; what fails says the line that repeats it (two processes at
 // once excepted, which meet as the system has it).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What libFuzzer calls: the check HITOS_FUZZ_CHECK, and the count of what it was fed.
 //
 // HITOS_FUZZ_COUNT names a file that holds, at every moment, three 64-bit numbers of this run:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every fuzz target over its corpus, and over thousands of damages to it with a fixed seed.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What fuzzing has found, by what Hitos says now.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Thousands of damaged lines with a fixed seed: each costs at most itself, and is accounted for.
 #include <gtest/gtest.h>
 

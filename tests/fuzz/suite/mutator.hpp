@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Damages texts and bytes, in the same way on every machine.
 #pragma once
 

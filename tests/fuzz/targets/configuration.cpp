@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Configuration files, and single assignments of --set.
 #include <algorithm>
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Packed files: logs, which are streamed, and the texts that are read whole.
 #include <zlib.h>
 

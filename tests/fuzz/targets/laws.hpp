@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the fuzz targets share: laws that can be broken, files in memory, folders that are reused.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Logs of every format.
 
 #include "hitos/capture/archivo.hpp"

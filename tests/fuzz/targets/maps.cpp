@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The small texts of maps and paths.
 #include <algorithm>
 #include <cmath>

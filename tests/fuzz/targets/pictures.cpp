@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of walls, and the files that tell where they lie.
 #include <cmath>
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Folders of results, by their summary.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a study keeps of itself, and how it is asked for.
 #include <algorithm>
 #include <cmath>

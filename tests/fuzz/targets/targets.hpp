@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The readers of outside bytes, each as one function that a fuzzer calls.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Worlds to simulate, and drawings of their walls.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the window costs a run and how fast it answers; or how late a driven robot's scans are
 // mapped.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How much the window costs, how fast it answers, and how late a driven robot's scans are mapped.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // rosbag2's SQLite files.
 #include <gmock/gmock.h>
 #include <sys/stat.h>

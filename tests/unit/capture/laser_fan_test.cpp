@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Lasers of a recording as fans, and two of them as one.
 #include "ros/laser_fan.hpp"
 

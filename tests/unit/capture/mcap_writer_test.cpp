@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tours written as MCAP: what a reader that is told nothing of Hitos may count on.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tours of the MRCLAM dataset: files beside each other.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Logged poses of other axes, of headings that count the other way or are in degrees: told, and
 // read as they are meant by what is advised.
 #include "hitos/capture/odometry_axes.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Steps of a logged path that no robot drives, and those that only look so.
 #include "hitos/capture/odometry_steps.hpp"
 

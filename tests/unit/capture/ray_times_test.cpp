@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rays that are measured one after the other while the robot drives on.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What holds messages: bags, MCAP, SQLite files and folders.
 #include "recordings/recording.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Recordings that are whole and wrong: whose transforms, where the laser sits, whose clock.
 #include <gmock/gmock.h>
 

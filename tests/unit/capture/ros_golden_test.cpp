@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Two seconds of a recording by ROS's own Python library: two-lasers-cut.bag is cut out of
 // two-lasers.bag of the shared data (made from the Player log bigloop, under its terms), messages
 // and connections as they stood there, in one chunk.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ROS messages from their bytes, against the tests' own serialisation.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Compressed chunks and SQLite files for tests, by the formats' own libraries.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From the messages of a recording to scans and odometry.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tiny writers of ROS messages and of what holds them: the tests' own reading of the formats.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // rosbag2's folders, and files in zstd.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is added to the times of scans whose clock runs otherwise than the odometry's.
 #include "hitos/capture/scan_clock.hpp"
 

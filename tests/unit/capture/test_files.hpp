@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files for tests: a folder that goes away by itself, plain and gzip writers, whole-log readers.
 #pragma once
 

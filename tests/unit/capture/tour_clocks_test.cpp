@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What clocks did, read off a table: each pair fits at one delay, or at all of them.
 #include "tour_clocks.hpp"
 

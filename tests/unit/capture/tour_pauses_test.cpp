@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Odometry that begins anew while nothing is recorded.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Trees and posts in scans, cast here ray by ray.
 #include "circle_extractor.hpp"
 

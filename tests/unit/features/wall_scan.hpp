@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scans of straight walls for the tests of extractors.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Scans of straight walls, drawn ray by ray, for the tests of registration.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A robot round a ring of corridors, for tests of registration.
 #pragma once
 

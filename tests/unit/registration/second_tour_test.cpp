@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A second tour in the map of the first.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

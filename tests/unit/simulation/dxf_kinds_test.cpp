@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What every kind of entity of a drawing becomes, and what is told of what is left out.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tours that are driven by hand, and what happens to them on the way.
 #include <thread>
 

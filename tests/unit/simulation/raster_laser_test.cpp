@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The laser that sees cells: against a brute-force search of the cells, against the exact laser,
 // and by what thickness, fitting and whole cells must do.
 #include "laser/raster_laser.hpp"

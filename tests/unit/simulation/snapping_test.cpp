@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where a drawn point is meant to be.
 #include "hitos/simulation/text/snapping.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Worlds with trees and posts that a laser sees as circles.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether start, room and tour of a world are sound.
 #include "hitos/simulation/drive/world_check.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Things of a drawn world: found, put in, moved, taken out.
 #include "hitos/simulation/text/world_editing.hpp"
 

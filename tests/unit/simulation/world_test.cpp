@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "hitos/simulation/worlds/world.hpp"
 
 #include "hitos/base/error.hpp"

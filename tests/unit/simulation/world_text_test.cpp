@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Worlds edited as text: nothing changes but what is set.
 #include "hitos/simulation/text/world_text.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Worlds for the tests of the simulation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "ekf/ekf_slam.hpp"
 
 #include <gtest/gtest.h>

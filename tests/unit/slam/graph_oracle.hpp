@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The graph of graph-slam solved the slow way, to compare with.
 #pragma once
 

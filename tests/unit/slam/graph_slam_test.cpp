@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "graph/graph_slam.hpp"
 
 #include <gtest/gtest.h>

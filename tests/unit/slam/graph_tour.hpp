@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Simulated tours with what registration would say of them, for the tests of graph-slam.
 #pragma once
 

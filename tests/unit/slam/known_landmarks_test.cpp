@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Landmarks whose identities a sensor tells, in every algorithm.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Bounded lines, exclusion, several hypotheses, vanishing landmarks and probation.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Maps that have an index and pages, in whole filters.
 
 #include <gtest/gtest.h>

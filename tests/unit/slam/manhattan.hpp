@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Made worlds of streets at right angles (as Olson, 2008): graphs of which the truth is known.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Landmarks of one kind that belong to a test alone.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "hitos/slam/planar_graph.hpp"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Mean and covariance of the particles' poses.
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tours with a registered path, for the tests of corrections.
 #pragma once
 

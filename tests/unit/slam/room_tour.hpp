@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A tour through a room for the tests of whole filters.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // EKF-SLAM as slow and plain as can be, to compare the real one with.
 #pragma once
 

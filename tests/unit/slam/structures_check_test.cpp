@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether the checks of trees, maps and graphs see what is broken, and nothing where nothing is.
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Plans of benchmarks, and what is made of them.
 #include "hitos/workbench/benchmark.hpp"
 

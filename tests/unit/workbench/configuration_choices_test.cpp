@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "hitos/workbench/configuration_choices.hpp"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Readings of what the thesis leaves unsaid, and what a reproduction says of them.
 #include "hitos/workbench/readings.hpp"
 

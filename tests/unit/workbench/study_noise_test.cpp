@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs of a study that share what they read are the runs that read for themselves.
 #include "hitos/workbench/study_noise.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The figures of the thesis's chapter 10, their fixed parameters and what is asked of them.
 #include "hitos/workbench/thesis_figures.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Worlds made of drawings, maps, runs and pictures.
 #include "hitos/workbench/world_import.hpp"
 

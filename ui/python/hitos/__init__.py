@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Hitos, a workbench for landmark SLAM, from Python.
 
 A tour is a recorded log, a ROS recording or a simulated world; a run builds a map of lines and

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Types of the package hitos; tests/python/test_stubs.py compares them with the module.
 import os
 from typing import Any, Callable, Iterable, Iterator, Optional, Sequence, Union

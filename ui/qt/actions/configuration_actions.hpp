@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The use cases that change what is run: source, configuration files, form, default [T 8.2.2.1-5].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The menus of files that were used and of configurations that are at hand.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How fast the run goes: a list of paces, the last of which is as fast as possible.
 #pragma once
 

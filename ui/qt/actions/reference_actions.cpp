@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // References to measure a run against: a map and a trajectory, from files.
 
 #include "configuration_actions.hpp"

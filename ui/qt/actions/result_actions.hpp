@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The use cases that look at or keep what a run made [T 8.2.2.7-10].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The control panel: seven buttons [T 9.2.6.3], the time line and the speed, in one row.
 #pragma once
 

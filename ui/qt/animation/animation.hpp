@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A run as pictures, one after the other, and as a film where the computer can make one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What program and tests do alike before a window can be made.
 #pragma once
 

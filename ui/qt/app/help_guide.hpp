@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Help while working: the guide, at what it says of the thing in use.
 #pragma once
 

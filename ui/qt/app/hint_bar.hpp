@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What speaks against the log or the configuration in use, with the one button that mends it.
 #pragma once
 

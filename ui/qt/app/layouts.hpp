@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How the window is laid out: by names that the user gives, and for a classroom.
 #pragma once
 

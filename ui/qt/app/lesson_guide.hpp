@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The lessons that come with Hitos, in the menu and beside the views.
 #pragma once
 

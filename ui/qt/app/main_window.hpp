@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The program's window: puts the parts together and connects them, and nothing else.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Measuring in the views: its parts, put together.
 
 #include <QDockWidget>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs to compare, studies of many and tours to drive, and what the window does with them.
 
 #include <QDateTime>

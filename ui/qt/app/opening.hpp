@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How the window begins: what its command line names is opened in it.
 #pragma once
 

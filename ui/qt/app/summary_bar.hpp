@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The configuration at a glance in five groups [T 9.2.6.1]: cards, or where there is little height
 // one line of chips.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every parameter in one form [T 9.2.6.5, use case 8.2.2.4].
 #pragma once
 

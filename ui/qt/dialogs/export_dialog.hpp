@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Saving a view or plot as a figure [T use case 8.2.2.10].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The user's guide, and what else of the documents it leads to.
 #pragma once
 

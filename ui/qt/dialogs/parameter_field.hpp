@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One parameter in a form: label, editor, unit, and what is wrong with it.
 #pragma once
 

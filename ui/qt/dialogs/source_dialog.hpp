@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Choosing the log [T 9.2.6.6, use case 8.2.2.1].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How a source is read, in the form that selects it: what its findings advise.
 #pragma once
 

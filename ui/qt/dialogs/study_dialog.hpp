@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A study, from its plan to its plots [T 8.2.2.11, 10.4].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One parameter of a study, as the user writes it.
 #pragma once
 

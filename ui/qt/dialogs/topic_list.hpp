@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The topics of a ROS recording, to tick those that a tour is read from.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Why each observed feature was taken for what: all landmarks that it was compared with.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What became of an observed feature, and why, in words.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is changed by hand in the graph of the run, and the way to take it back.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The docks in which a run is looked at in numbers.
 #pragma once
 

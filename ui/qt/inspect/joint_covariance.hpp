@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The joint covariance of pose and landmarks as a picture of its correlations.
 #pragma once
 

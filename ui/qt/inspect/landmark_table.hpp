@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The landmarks of the best hypothesis in numbers.
 #pragma once
 

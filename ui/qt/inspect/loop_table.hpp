@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The places that looked like an earlier one, in numbers, and both passages of the chosen one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Both passages of a loop, as the loop lays them over each other.
 #pragma once
 

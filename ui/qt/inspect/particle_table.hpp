@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The particles in numbers, and what one of them believes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A label that ends in dots where it is too narrow, instead of a cut word.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of figures that follow the run: sorted by any column, one row chosen.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The window's icons, drawn rather than stored: they follow the theme and every pixel ratio.
 #pragma once
 

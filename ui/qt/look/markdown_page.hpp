@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A page of Markdown as the window shows it: the guide, the lessons.
 #pragma once
 

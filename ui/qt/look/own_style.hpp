@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Qt's Fusion with Hitos's own icons in questions and file dialogs.
 #pragma once
 

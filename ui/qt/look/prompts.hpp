@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Questions to the user, behind one face so that tests can answer them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // No window opens larger than its screen.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Labels that take the same room whatever they say: a picture above them does not move.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where the user's own files lie, and the logs and configurations used last.
 #pragma once
 

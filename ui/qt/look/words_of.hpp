@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the libraries say, in the language of the window.
 #pragma once
 

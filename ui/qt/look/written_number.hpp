@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers as people write them. Files, command lines and what the window shows have decimal points;
 // where the user's country writes commas, a comma that is typed is one.
 #pragma once

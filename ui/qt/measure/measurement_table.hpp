@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is measured, as a table: names and true values are written into it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the user measures in the map, with its values in the map as it is now.
 #pragma once
 

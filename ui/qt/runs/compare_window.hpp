@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Two runs beside each other, one over the other, or in turn; the errors of more.
 #pragma once
 

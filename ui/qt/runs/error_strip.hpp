@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How far runs are from the truth: along the time or the way, and in figures.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a long run has found, kept for the case that the window is ended from outside.
 #pragma once
 

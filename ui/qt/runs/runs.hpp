@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The runs that the window remembers: list, table and comparison.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The list of runs as a table, with what can be done with them.
 #pragma once
 

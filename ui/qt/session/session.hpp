@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the window works on: a configuration, its run, and what it is compared with.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Small drawings that views share; everything in pixels of the scene.
 #pragma once
 

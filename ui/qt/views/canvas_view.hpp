@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What all views of the plane share: navigation, scale, coordinates, pictures.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What can be exported of a view or plot, and what stands round it: title, axes, legend.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Grid tiles as an image that is brought up to date tile by tile.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The grid map with the best path and the reference [T 9.2.6.2, right].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Landmarks as marks on the plane: corners with ellipses, lines with bands.
 #pragma once
 

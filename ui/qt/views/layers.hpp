@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the views draw, each layer with a switch in the View menu.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a view draws: a chip a layer, which switches it.
 #pragma once
 

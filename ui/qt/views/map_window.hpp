@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A window of its own for a whole grid map [T use cases 8.2.2.7 and 8.2.2.8].
 #pragma once
 

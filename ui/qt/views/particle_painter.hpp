@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Particles as marks on the plane: what one of them believes, and where all of them come from.
 #pragma once
 

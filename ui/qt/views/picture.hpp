@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures for files and the clipboard: pixels, or shapes for print.
 #pragma once
 

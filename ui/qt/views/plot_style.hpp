@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How plots look, whatever they show.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What mouse and keyboard do with the plots.
 
 #include <qcustomplot.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The last scan with what the algorithm makes of it [T 9.2.6.2, left].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The outcome of a study of two parameters as a map of colours.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The outcome of a study, as the thesis draws it [T 10.4].
 #pragma once
 

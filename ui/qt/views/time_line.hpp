@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The scans of a tour on a line: where the run is, what happened when, and the way to any of them.
 #pragma once
 

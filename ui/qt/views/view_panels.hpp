@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The two views beside each other, one above the other, or one alone.
 #pragma once
 

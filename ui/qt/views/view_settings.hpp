@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Layers, frame and appearance: the View menu, and what of it is remembered.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What views lend their clicks to, and let draw over them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the first scan looks like with the parameters in use, before anything runs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How many scans the log in use holds and what there is to doubt about it, found beside everything
 // else.
 #pragma once

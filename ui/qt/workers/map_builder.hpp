@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Builds a grid from a log and a path on a thread of its own, and shows how it grows.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether what is drawn can be driven, in words below it.
 #pragma once
 

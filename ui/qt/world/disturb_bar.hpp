@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What one can do to the robot while it drives.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What one has at hand while a world is drawn: tools, grid, numbers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the drawing tool draws over the world.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "drive_panel.hpp"
 
 #include <QComboBox>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What one has at hand while a robot is driven: clock, pace, gamepad, disturbances, figures, logs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How walls are to be found in a picture, a map or a drawing, and what is found.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A robot that the user drives through a world while the run maps it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The log of a driven tour, written beside the window.
 #pragma once
 

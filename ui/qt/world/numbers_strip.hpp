@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The numbers of what is drawn or chosen, to be typed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Files of drawn worlds: new ones, what can be made one, and where they are saved.
 #pragma once
 

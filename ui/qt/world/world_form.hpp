@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Robot, laser, odometry and tour of a world in one form.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The world itself, as nobody but the simulator knows it, with what the filter believes over it.
 #pragma once
 

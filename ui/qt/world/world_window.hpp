@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The world workshop: a place is drawn, and a robot driven through it.
 #pragma once
 

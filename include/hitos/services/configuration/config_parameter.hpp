@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of all parameters of a run, of which files, options, forms and help texts are made.
 #pragma once
 

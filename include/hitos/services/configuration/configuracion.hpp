@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every parameter of a run in one value, with its unit, range, default and meaning.
 #pragma once
 

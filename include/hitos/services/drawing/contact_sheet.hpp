@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Many small grid maps on one sheet, to be compared at a glance.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A graph of poses and landmarks as a figure.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The true, the odometry's and the estimated path over the map [P fig 3b].
 #pragma once
 

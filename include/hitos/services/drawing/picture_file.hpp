@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Occupancy grids as PNG and JPG pictures.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What figures are made of and what is laid over pictures of grids: one value for every kind of
 // file, so that whoever draws need not know which it becomes.
 #pragma once

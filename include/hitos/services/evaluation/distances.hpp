@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Named distances between parallel walls, measured in a map and true [P table 1].
 #pragma once
 

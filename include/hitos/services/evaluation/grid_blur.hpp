@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How crisp an occupancy grid is: a measure that needs no reference.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Distances and angles between places that a user picks in a map, and what other maps make of them.
 #pragma once
 

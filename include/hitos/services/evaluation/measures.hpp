@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How good a map or a trajectory is [T 10.3].
 #pragma once
 

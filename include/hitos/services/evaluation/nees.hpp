@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether a filter is as sure as it may be.
 #pragma once
 

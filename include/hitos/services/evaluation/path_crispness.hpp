@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How crisp the map is that a path makes of a tour, without any truth.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How far a path is from where a reference has the robot, pose by pose.
 #pragma once
 

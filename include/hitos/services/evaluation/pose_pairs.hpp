@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pairs of poses of one trajectory that are so far apart on the way, or in time.
 #pragma once
 

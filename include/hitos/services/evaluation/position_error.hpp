@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How far a robot is from where it believes to be, scan by scan.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether a reference is one of the run that is compared with it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Relations between poses, by which the SLAM benchmark of Kümmerle et al. measures a trajectory
 // without a common frame: R. Kümmerle, B. Steder, C. Dornhege, M. Ruhnke, G. Grisetti, C.
 // Stachniss, A. Kleiner, "On measuring the accuracy of SLAM algorithms", Autonomous Robots 27,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The relative pose error of a trajectory.
 #pragma once
 

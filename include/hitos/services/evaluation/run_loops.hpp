@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The loops of a run, closed and refused: where they are, and whether they are true.
 #pragma once
 

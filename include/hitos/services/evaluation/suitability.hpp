@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether a tour and its configuration suit each other, judged by what the run saw.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How sure each landmark is from scan to scan [P fig 3c].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Maps as CAD drawings [P 6].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Graphs of poses and landmarks as g2o's text files.
 #pragma once
 

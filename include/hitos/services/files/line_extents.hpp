@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where along its infinite line each line landmark was seen: the segments of pictures, segment
 // files and drawings. The filters do not need them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Landmark maps as text [T A.4].
 #pragma once
 

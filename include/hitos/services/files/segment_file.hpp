@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The segments of a map's lines as text [P 6].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Trajectories in the TUM format: `t x y z qx qy qz qw`, one pose a line.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Parameters of occupancy grids [T 2.5.4].
 #pragma once
 

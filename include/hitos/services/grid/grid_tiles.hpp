@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of a growing grid in tiles that snapshots share, so that a view pays for what changed.
 #pragma once
 

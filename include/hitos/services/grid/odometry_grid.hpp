@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The grid along the odometry, built beside a run.
 #pragma once
 

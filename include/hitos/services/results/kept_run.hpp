@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What stays of a run that is over or was left: enough to look at it and to compare it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether a folder of results is what a run wrote.
 #pragma once
 

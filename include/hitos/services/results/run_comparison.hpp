@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Finished runs side by side: in what they were set differently and what came of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One run of one algorithm over one source, step by step: the only run loop of Hitos.
 #pragma once
 

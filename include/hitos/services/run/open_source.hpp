@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The log that a configuration names, as a reader.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A run's state after a scan, and the few of them that a run keeps to go back to.
 #pragma once
 

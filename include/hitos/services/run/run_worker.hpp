@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs an Algoritmo on a worker thread for windows and command lines [T fig 9.14].
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The picture of a run's grid, kept up to date while the run goes on.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a run's single steps say in numbers, and the conditions on them by which a run stops.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a run is after every scan as hashes, part by part: where two runs differ, the first scan and
 // part in which they do.
 #pragma once

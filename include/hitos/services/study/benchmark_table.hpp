@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of a benchmark: what it says, how it is written, and what has changed since another.
 #pragma once
 

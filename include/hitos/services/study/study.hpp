@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Studies: many runs over values of parameters and seeds, in parallel, resumable, in shards
 // [T 8.2.2.11, 10.3].
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How a study's parameter lies along the x axis of its plots.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether a study's folder is whole, and its tables made anew of what is.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Which part of a study a process does, said by the user or by a job scheduler.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a study varies: the thesis's parameters, configuration keys, lists and ranges of values.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of what is occupied: those of map_server, and any other whose scale is known.
 #pragma once
 

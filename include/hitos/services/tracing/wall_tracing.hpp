@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // From the cells of an occupancy picture to straight walls.
 #pragma once
 

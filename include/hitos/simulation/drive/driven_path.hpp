@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The true motion of the robot along the way points.
 #pragma once
 

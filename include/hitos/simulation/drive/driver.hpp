@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The robot's driver, for who drives it goal by goal.
 #pragma once
 

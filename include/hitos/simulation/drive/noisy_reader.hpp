@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Any tour with noise added to its odometry.
 #pragma once
 

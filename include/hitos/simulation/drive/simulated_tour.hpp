@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A driven tour with what laser and odometry say on it.
 #pragma once
 

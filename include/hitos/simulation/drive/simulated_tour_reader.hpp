@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A simulated tour as a reader: no file, no text in between.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether a world can be driven: start, room and tour.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a laser scanner measures among straight walls, exactly.
 #pragma once
 

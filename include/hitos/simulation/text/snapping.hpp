@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Where a point is meant to be that is drawn near something: ends, walls, right angles, a grid.
 #pragma once
 

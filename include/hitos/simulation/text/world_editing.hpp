@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The things of a drawn world: found below a cursor, put in, moved, measured out, taken out.
 #pragma once
 

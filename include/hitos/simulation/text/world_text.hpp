@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A world file as text, edited where it stands: comments, layout and what is not changed stay.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What happens to a tour at a time, so that one can see what the filter makes of it.
 #pragma once
 

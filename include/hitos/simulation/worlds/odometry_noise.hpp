@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Noise on odometry, as the thesis adds it to simulated tours [T 10.2].
 #pragma once
 

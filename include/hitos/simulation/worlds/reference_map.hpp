@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The landmarks that a perfect map of a world holds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A world to simulate: walls, the tour through them, robot, laser and odometry [T 10.2].
 #pragma once
 

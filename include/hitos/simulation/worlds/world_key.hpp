@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of a world file's keys that hold one value each.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether regions hold the truth as often as they say.
 #include "evaluation/calibration.hpp"
 

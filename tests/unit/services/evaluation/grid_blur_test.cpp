@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "hitos/services/evaluation/grid_blur.hpp"
 
 #include <gtest/gtest.h>

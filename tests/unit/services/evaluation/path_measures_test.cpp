@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pairs of poses, relations between them, and the relative error of paths.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The table of a run's figures: its words, and what is made of them.
 #include "hitos/services/evaluation/run_measures.hpp"
 

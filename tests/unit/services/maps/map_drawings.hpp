@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A small map for the tests of files that show maps.
 #pragma once
 

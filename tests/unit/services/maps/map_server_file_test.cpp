@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "files/map_server_file.hpp"
 
 #include <gmock/gmock.h>

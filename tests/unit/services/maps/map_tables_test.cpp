@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Landmarks as tables, map data and graphs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

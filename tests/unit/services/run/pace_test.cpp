@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "hitos/services/run/pace.hpp"
 
 #include <gtest/gtest.h>

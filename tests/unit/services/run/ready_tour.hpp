@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The ready tour with few particles, for the tests of the run on a thread.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // An occupancy grid as slow and plain as can be, to compare the real one with.
 #pragma once
 

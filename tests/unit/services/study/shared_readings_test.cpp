@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What runs of a study read in common, and what they do not.
 #include "study/shared_readings.hpp"
 

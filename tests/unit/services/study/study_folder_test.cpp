@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is in a study's folder is always of one study, and says so.
 #include "study/study_folder.hpp"
 

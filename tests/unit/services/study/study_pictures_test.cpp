@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Studies without a reference map, and the pictures of their grid maps.
 #include <gmock/gmock.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "hitos/services/study/study_values.hpp"
 
 #include <gmock/gmock.h>
