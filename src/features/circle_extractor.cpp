@@ -217,7 +217,8 @@ void CircleExtractor::extract(const Scan& scan, Observation& out) {
     rest_->extract(without_circles(scan), out);
     const Point2 laser = laser_of(scan);
     out.corners.insert(out.corners.begin(), circles_.size(), {});
-    out.corner_covariances.insert(out.corner_covariances.begin(), circles_.size(), {});
+    out.corner_covariances.insert(out.corner_covariances.begin(), circles_.size(),
+                                  Eigen::Matrix2d::Zero());
     if (!out.identities.empty())
         out.identities.insert(out.identities.begin(), circles_.size(), LandmarkSighting::kNameless);
     for (std::size_t i = 0; i < circles_.size(); ++i) {
