@@ -132,7 +132,7 @@ TEST_F(BenchmarkCommand, TakesAPartOfThePlan) {
     EXPECT_EQ(told.at("rows")[0].at("algorithm"), "EKF");
     refused(plan() + " --only GMapping --out " + path("out"),
             "expected a tour, an algorithm or a peer of the plan: recinto, particles, EKF");
-    refused("nothing --out " + path("out"), "those are calibration, recorded, worlds");
+    refused("nothing --out " + path("out"), "those are calibration, recorded, thesis, worlds");
 }
 
 TEST_F(BenchmarkCommand, ARowThatCannotBeIsTold) {
