@@ -95,11 +95,12 @@ void CircleExtractor::look(const Scan& scan) {
         ring_.push_back({std::atan2(ray.y, ray.x), std::hypot(ray.x, ray.y), i});
     }
     closed_ = scan.fan.closed();
-    double turned = 0.0;
+    double turned = 0.0;  // which way; what is small says it best
     std::vector<double> steps;
     for (std::size_t i = 0; i + 1 < ring_.size(); ++i) {
         const double step = wrap_angle(ring_[i + 1].bearing_rad - ring_[i].bearing_rad);
-        turned += step;
+        // Of half a turn over which nothing was met nobody can say which way it went.
+        turned += std::copysign(kPi - std::abs(step), step);
         if (step != 0.0) steps.push_back(std::abs(step));
     }
     // A laser that sits upside down sweeps the other way, whatever its angles say.

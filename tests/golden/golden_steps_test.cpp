@@ -48,6 +48,7 @@ std::vector<GoldenRun> golden_runs() {
          "recorded",
          {"filter.particles=20", "source.world_set=laser.rate=2"}},
         {"posts-landmarks", "worlds/posts.toml", "landmarks"},
+        {"orchard-trees", "worlds/orchard.toml", "trees", {"filter.particles=20"}},
         {"carmen-recorded", "logs/carmen-flaser.log.gz", "recorded"},
     };
 }

@@ -50,6 +50,16 @@ TEST_F(HashesCommand, WhatIsNoSuchTableIsRefused) {
         EXPECT_EQ(refused.status, 1) << refused.output;
         EXPECT_THAT(refused.output, HasSubstr(words));
     }
+    for (const char* option : {"--as latex", "--out table.md"}) {
+        const Outcome refused = compare(std::string("one.csv one.csv ") + option);
+        EXPECT_EQ(refused.status, 1) << refused.output;
+        EXPECT_THAT(refused.output, HasSubstr("is for folders of runs"));
+    }
+    const std::string table = content(path("one.csv"));
+    file("shorter.csv", table.substr(0, table.rfind('\n', table.size() - 2) + 1));
+    const Outcome ends = compare("one.csv shorter.csv");
+    EXPECT_EQ(ends.status, 2) << ends.output;
+    EXPECT_THAT(ends.output, HasSubstr("the same up to scan end, where one of them ends"));
     const Outcome own = shell(cli_ + " run corridor --replace --out " + path("out") + " --hashes " +
                               path("out/map.txt"));
     EXPECT_EQ(own.status, 1);

@@ -99,7 +99,7 @@ TEST_F(WorldCommand, ADrawingBecomesAWorldAndItsFaultsAreTold) {
                                      "1\n11\n4\n21\n-1\n0\nENDSEC\n0\nEOF\n");
     const Outcome outcome = call(drawing + " --start 2,-0.9,0 --out " + path("w.toml"));
     EXPECT_EQ(outcome.status, 0);
-    EXPECT_NE(outcome.output.find("start: 0.100 m from the nearest wall"), std::string::npos);
+    EXPECT_NE(outcome.output.find("start: 0.100 m from what is nearest"), std::string::npos);
     EXPECT_NE(outcome.output.find("room: open, a ray from the start at"), std::string::npos);
     EXPECT_NE(outcome.output.find("tour: none yet"), std::string::npos);
     EXPECT_EQ(content(path("w.toml")),

@@ -40,6 +40,10 @@ struct BenchmarkArguments {
 
 /// Those of the tours that the folder has any of; to have none at all is a slip of the pen.
 void take_relations(BenchmarkPlan& plan, const std::filesystem::path& folder) {
+    if (!std::filesystem::is_directory(folder)) {
+        throw FileError(folder.string(), verbatim("is no folder; expected one with files such as " +
+                                                  plan.tours.front().name + ".relations"));
+    }
     bool any = false;
     for (BenchmarkTour& tour : plan.tours) {
         for (const char* ending : {".relations", ".relations.gz"}) {
@@ -48,6 +52,7 @@ void take_relations(BenchmarkPlan& plan, const std::filesystem::path& folder) {
             if (!std::filesystem::exists(file, ignored)) continue;
             tour.relations = file.string();
             any = true;
+            break;
         }
     }
     if (any) return;
@@ -59,7 +64,6 @@ void take_relations(BenchmarkPlan& plan, const std::filesystem::path& folder) {
 BenchmarkPlan plan_of(const BenchmarkArguments& options) {
     BenchmarkPlan plan = read_benchmark_plan(find_benchmark(options.plan), options.tours);
     if (options.runs) plan.runs = *options.runs;
-    if (!options.relations.empty()) take_relations(plan, options.relations);
     const auto named = [&](const std::string& name) {
         return std::ranges::count(options.only, name) > 0;
     };
@@ -94,6 +98,7 @@ BenchmarkPlan plan_of(const BenchmarkArguments& options) {
     std::erase_if(plan.peers, [&](const BenchmarkPeer& peer) {
         return std::ranges::count(plan.tours, peer.tour, &BenchmarkTour::name) == 0;
     });
+    if (!options.relations.empty()) take_relations(plan, options.relations);
     return plan;
 }
 

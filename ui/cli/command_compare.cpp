@@ -26,10 +26,11 @@ namespace hitos::cli {
 namespace {
 
 constexpr const char* kStandardOutput = "-";
+constexpr const char* kForm = "markdown";
 
 struct CompareOptions {
     std::vector<std::string> runs;
-    std::string form = "markdown";
+    std::string form = kForm;
     std::string out;
     bool json = false;
 };
@@ -55,6 +56,11 @@ constexpr int kDiffer = 2;  // the program's status
 
 /// Two files that run --hashes has written.
 void compare_hashes(const CompareOptions& options) {
+    if (!options.out.empty() || options.form != kForm) {
+        throw ConfigError(options.out.empty() ? "--as" : "--out",
+                          verbatim("is for folders of runs; of two tables of hashes one line tells "
+                                   "where they differ"));
+    }
     const std::vector<std::string>& names = options.runs;
     if (names.size() != 2) {
         throw Error(verbatim(fmt::format(
@@ -69,7 +75,11 @@ void compare_hashes(const CompareOptions& options) {
         report.say("the same after every scan, to the last bit\n");
     } else {
         report.object().update({{"scan", found->scan}, {"part", found->part}});
-        report.say("they differ from scan {} on, first in: {}\n", found->scan, found->part);
+        if (found->part == "scan") {
+            report.say("the same up to scan {}, where one of them ends\n", found->scan);
+        } else {
+            report.say("they differ from scan {} on, first in: {}\n", found->scan, found->part);
+        }
     }
     report.end();
     if (found) throw CLI::RuntimeError(kDiffer);

@@ -70,13 +70,14 @@ double parse_unit(const std::string& text) {
                                                      text)));
 }
 
-/// The size of what the walls enclose, from where to where.
+/// The size of what walls and landmarks enclose, from where to where.
 void tell_size(const World& world, Report& report) {
     Bounds box;
     for (const WallSegment& wall : world.walls) {
         box.hold(wall.a);
         box.hold(wall.b);
     }
+    for (const Point2& mark : world.landmarks.at) box.hold(mark);
     if (box.empty) return;
     const double width = box.high.x - box.low.x;
     const double height = box.high.y - box.low.y;

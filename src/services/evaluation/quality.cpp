@@ -284,7 +284,8 @@ RunQuality judge(const RunEvidence& run, const Trajectory& path,
                         "The map is less crisp than that of the odometry alone (%1 times the cells "
                         "per point): do not trust it."),
              fmt::format("{:.2f}", *quality.cells_per_point / *quality.odometry_cells_per_point),
-             quality.registration ? std::string_view() : "recorded"});
+             quality.registration || run.configuration.extraction.circles.find ? std::string_view()
+                                                                               : "recorded"});
     }
     return quality;
 }

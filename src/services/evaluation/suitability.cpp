@@ -69,7 +69,10 @@ std::vector<Advice> Suitability::advice(const Configuracion& configuration, bool
     const MotionParams& motion = configuration.filter.motion;
     double sigma = std::max(motion.sigma_x_m, motion.sigma_y_m);
     if (motion.unit == MotionUnit::variance) sigma = std::sqrt(sigma);
-    const std::string_view preset = simulated ? "simulated" : "recorded";
+    // Neither of these knows trees.
+    const std::string_view preset = configuration.extraction.circles.find ? ""
+                                    : simulated                           ? "simulated"
+                                                                          : "recorded";
     if (motion.model == "odometry" && seen.step_m > kLongStep &&
         seen.step_m > kStepPerSigma * sigma) {
         advice.push_back({HITOS_TEXT("Advice",

@@ -258,7 +258,8 @@ std::vector<Advice> Algoritmo::advice() const {
     }
     const bool of_robot =
         log_formats().knows(reader_->format()) && log_formats().find(reader_->format()).of_robots;
-    if (of_robot && !state_.registration && !shows_landmarks_alone()) {
+    const bool of_trees = configuration_.extraction.circles.find;  // there are no walls to register
+    if (of_robot && !state_.registration && !of_trees && !shows_landmarks_alone()) {
         advice.insert(
             advice.begin(),
             {HITOS_TEXT("Advice",

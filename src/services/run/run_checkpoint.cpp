@@ -52,10 +52,8 @@ std::vector<StatePart> parts_of(const RunState& state, const Grid& step_grid) {
     note("scan", state.scan.points);
     put_told(bytes, state.scan);
     end("landmarks told");
-    note("lines seen", state.observation.lines);
-    note("corners seen", state.observation.corners);
-    note("identities seen", state.observation.identities);
-    note("circles seen", state.observation.circle_radii_m);
+    put_observation(bytes, state.observation);
+    end("features seen");
     for (const LineExtent& one : state.line_extents.of(map, path)) put(bytes, one.a, one.b);
     end("extents of lines");
     if (state.registration) {  // its grid is drawn when it is asked for

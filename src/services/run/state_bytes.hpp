@@ -19,6 +19,14 @@ void put_all(std::string& bytes, const Row& row) {
     for (const auto& one : row) put(bytes, one);
 }
 
+/// A figure that there is not as one that no figure is.
+inline void put_loop(std::string& bytes, const LoopRecord& loop) {
+    put(bytes, loop.scan, loop.earlier, loop.pose_earlier_scan, loop.way_m, loop.score,
+        loop.overlap, loop.seen_through.value_or(-1.0), loop.chi_square.value_or(-1.0),
+        loop.chi_square_limit.value_or(-1.0), loop.move_m, loop.weight.value_or(-1.0), loop.verdict,
+        loop.by_hand, loop.refused_from.value_or(0));
+}
+
 inline void put_hypotheses(std::string& bytes, const SlamFilter& filter) {
     for (const WeightedPose& one : filter.hypotheses())
         put(bytes, one.pose, one.weight, one.weight_before, one.from);
@@ -29,6 +37,17 @@ inline void put_landmarks(std::string& bytes, const LandmarkMap& map) {
         put(bytes, one.point(), one.covariance, one.observations, one.from_m, one.to_m,
             one.first_seen, one.last_seen, one.identity);
     }
+}
+
+/// With all that the filter takes of it.
+inline void put_observation(std::string& bytes, const Observation& seen) {
+    put_all(bytes, seen.lines);
+    put_all(bytes, seen.corners);
+    put_all(bytes, seen.support);
+    put_all(bytes, seen.line_covariances);
+    put_all(bytes, seen.corner_covariances);
+    put_all(bytes, seen.identities);
+    put_all(bytes, seen.circle_radii_m);
 }
 
 inline void put_told(std::string& bytes, const Scan& scan) {

@@ -57,9 +57,9 @@ class HashLines {
             const std::size_t comma = i + 1 == cells.size() ? line.size() : line.find(',');
             if (comma == std::string_view::npos || comma == 0) refuse();
             cells.at(i) = line.substr(0, comma);
+            if (i > 0 && comma != kDigits) refuse();
             line.remove_prefix(std::min(comma + 1, line.size()));
         }
-        if (cells.back().size() != kDigits) refuse();
         return cells;
     }
 
@@ -92,11 +92,13 @@ void StepHashes::note(const Algoritmo& run) {
     put_all(bytes, run.scan().points);
     put_told(bytes, run.scan());
     end();
-    put_all(bytes, run.observation().lines);
-    put_all(bytes, run.observation().corners);
-    put_all(bytes, run.observation().identities);
+    put_observation(bytes, run.observation());
     end();
-    if (run.registration() != nullptr) put_all(bytes, run.registration()->keys());
+    if (const Registration* registration = run.registration()) {
+        put_all(bytes, registration->keys());
+        for (const LoopRecord& loop : registration->loops()) put_loop(bytes, loop);
+        for (const LoopRecord& loop : registration->refused_loops()) put_loop(bytes, loop);
+    }
     end();
     put_hypotheses(bytes, filter);
     put(bytes, filter.pose_covariance());
@@ -107,6 +109,7 @@ void StepHashes::note(const Algoritmo& run) {
     put_all(bytes, joint.reshaped());
     end();
     put_all(bytes, filter.best_history());
+    put_all(bytes, run.online_trajectory());
     end();
     text_ += '\n';
 }

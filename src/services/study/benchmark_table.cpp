@@ -22,6 +22,8 @@ using nlohmann::ordered_json;
 constexpr const char* kJson = "benchmark.json";
 constexpr int kForm = 1;  // of benchmark.json
 constexpr std::size_t kShortHash = 8;
+constexpr const char* kCosts =
+    "Processor time of the stages of a run, and memory of its state at the end:";
 
 /// Those that a row of the table has; for people without details.
 std::vector<const Measure*> told_measures(const BenchmarkTable& table, bool for_people) {
@@ -115,8 +117,7 @@ std::string in_address(const std::filesystem::path& path) {
 std::string costs_words(const BenchmarkTable& table) {
     const TextTable costs = benchmark_costs(table);
     if (costs.rows.empty()) return {};
-    return "\nProcessor time of the stages of a run, and memory of its state at the end:\n\n" +
-           markdown(costs);
+    return fmt::format("\n{}\n\n{}", kCosts, markdown(costs));
 }
 
 std::string benchmark_html(const BenchmarkTable& table, const std::filesystem::path& out) {
@@ -322,7 +323,7 @@ Message write_calibration(const BenchmarkTable& table, const std::filesystem::pa
 }
 
 Message write_benchmark(const BenchmarkTable& table, const std::filesystem::path& out) {
-    for (const char* extension : {".png", ".svg"}) {  // of another table
+    for (const char* extension : {".dat", ".gp", ".png", ".svg"}) {  // of another table
         std::error_code none;
         std::filesystem::remove(out / (std::string(study::kCalibrationPlot) + extension), none);
     }

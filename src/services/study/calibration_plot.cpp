@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 
+#include "hitos/base/atomic_file.hpp"
 #include "hitos/services/drawing/gnuplot.hpp"
 
 namespace hitos::study {
@@ -57,15 +58,22 @@ std::string script_text(const std::string& stem, std::span<const CalibrationCurv
         if (std::ranges::any_of(curves, [&](const auto& one) { return has(one, kPanels.at(i)); }))
             panels.push_back(i);
     }
-    constexpr int kWidth = 420;   // pixels, of a panel
-    constexpr int kLegend = 330;  // and of what the curves are called, at the right
+    constexpr int kWidth = 420;  // pixels, of a panel
+    constexpr std::size_t kLetter = 9;
+    constexpr std::size_t kBeside = 80;
+    std::size_t longest = 20;
+    for (const CalibrationCurve& curve : curves) longest = std::max(longest, curve.name.size());
+    // What the curves are called, at the right.
+    const auto legend = static_cast<int>(kLetter * longest + kBeside);
     constexpr int kAxis = 70;
     constexpr int kGap = 15;
-    const int width = kWidth * static_cast<int>(panels.size()) + kLegend;
+    constexpr int kLine = 20;  // of the legend
+    const int height = std::max(kWidth + kAxis / 3, kLine * (static_cast<int>(curves.size()) + 4));
+    const int width = kWidth * static_cast<int>(panels.size()) + legend;
     std::string body =
         "set xlabel 'expected share'\nset ylabel 'share seen'\nset xrange [0.45:1]\nset yrange "
         "[0:1]\nset grid\n"
-        "set xtics (0.5, 0.68, 0.95)\nset size ratio 1\n";
+        "set xtics (0.5, 0.68, 0.95, '' 0.99)\nset size ratio 1\n";
     for (std::size_t at = 0; at < panels.size(); ++at) {
         const std::size_t place = panels[at];
         const bool last = at + 1 == panels.size();
@@ -91,8 +99,7 @@ std::string script_text(const std::string& stem, std::span<const CalibrationCurv
         text += fmt::format(
             "set terminal {} size {},{}\nset output {}\nset multiplot layout 1,{}\n{}"
             "unset multiplot\n",
-            terminal, width, kWidth + 20, gnuplot_file(stem + "." + extension), panels.size(),
-            body);
+            terminal, width, height, gnuplot_file(stem + "." + extension), panels.size(), body);
     }
     return text + "unset output\n";
 }
@@ -112,11 +119,15 @@ ByMeasure<Spread> mean_shares(std::span<const ByMeasure<Spread>* const> rows) {
     return mean;
 }
 
-Message write_calibration(const StudyLayout& layout, std::span<const CalibrationCurve> curves) {
-    const bool any = std::ranges::any_of(kPanels, [&](const Panel& panel) {
-        return std::ranges::any_of(curves, [&](const auto& one) { return has(one, panel); });
+Message write_calibration(const StudyLayout& layout, std::vector<CalibrationCurve> curves) {
+    constexpr std::size_t kLongestName = 60;
+    std::erase_if(curves, [](const CalibrationCurve& curve) {  // such as another program's
+        return std::ranges::none_of(kPanels, [&](const Panel& panel) { return has(curve, panel); });
     });
-    if (!any) return {};
+    if (curves.empty()) return {};
+    for (CalibrationCurve& curve : curves)
+        if (curve.name.size() > kLongestName)
+            curve.name = in_utf8(curve.name.substr(0, kLongestName)) + "…";
     const std::string stem = layout.prefix + kCalibrationPlot;
     const std::vector<PlotFile> files{{stem + ".dat", data_text(curves)},
                                       {stem + ".gp", script_text(stem, curves)}};

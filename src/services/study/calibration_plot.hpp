@@ -24,7 +24,7 @@ ByMeasure<Spread> mean_shares(std::span<const ByMeasure<Spread>* const> rows);
 /// Writes calibration.dat and .gp with the layout's prefix, and .png and .svg where gnuplot is
 /// installed: a panel each for poses, landmarks and distances, where any curve has them. Gives the
 /// reason why there are no pictures; nothing is written, and none given, where there is no share.
-Message write_calibration(const StudyLayout& layout, std::span<const CalibrationCurve> curves);
+Message write_calibration(const StudyLayout& layout, std::vector<CalibrationCurve> curves);
 
 /// The stem of its files.
 inline constexpr const char* kCalibrationPlot = "calibration";

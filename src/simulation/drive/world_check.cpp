@@ -75,6 +75,10 @@ WorldCheck check_world(const World& world) {
     check.nearest_m = std::numeric_limits<double>::infinity();
     for (const WallSegment& wall : walls)
         check.nearest_m = std::min(check.nearest_m, distance(wall, start));
+    for (std::size_t i = 0; i < world.landmarks.radii_m.size(); ++i) {
+        check.nearest_m = std::min(
+            check.nearest_m, distance(world.landmarks.at[i], start) - world.landmarks.radii_m[i]);
+    }
     check.start_free = check.nearest_m >= world.robot.radius_m;
     check.way_out_rad = way_out(walls, start);
     check.has_tour = !world.tour.way_points.empty() || !world.tour.commands.empty();
@@ -94,9 +98,9 @@ std::vector<Message> sentences_of(const WorldCheck& check, const World& world) {
     std::vector<Message> sentences;
     sentences.push_back(
         check.start_free
-            ? message(HITOS_TEXT("Errors", "start: free, %1 m from the nearest wall"), nearest)
+            ? message(HITOS_TEXT("Errors", "start: free, %1 m from what is nearest"), nearest)
             : message(HITOS_TEXT("Errors",
-                                 "start: %1 m from the nearest wall, expected at least the robot's "
+                                 "start: %1 m from what is nearest, expected at least the robot's "
                                  "radius of %2 m"),
                       nearest, radius));
     sentences.push_back(

@@ -243,12 +243,18 @@ void read_landmarks(World& world, const Path& path, const toml::node& node) {
 
 void read_radii(World& world, const Path& path, const toml::node& node) {
     for (const toml::node& entry : list_of(path, node, "landmarks.radii", "[radius, ...]")) {
-        const auto radius = numbers(entry, 1);
-        if (!radius) {
+        const std::optional<double> radius = entry.value<double>();
+        if (!radius || !entry.is_number()) {
             fail(path, entry,
                  message(HITOS_TEXT("Errors", "landmarks.radii: expected a radius in metres")));
         }
-        world.landmarks.radii_m.push_back(radius->front());
+        world.landmarks.radii_m.push_back(*radius);
+    }
+    if (world.landmarks.radii_m.empty()) {
+        fail(path, node,
+             message(HITOS_TEXT("Errors",
+                                "landmarks.radii: found none; leave the key out "
+                                "where a sensor tells the landmarks")));
     }
 }
 

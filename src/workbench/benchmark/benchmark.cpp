@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <fstream>
 #include <thread>
+#include <tuple>
 #include <utility>
 
 #include "hitos/base/digest.hpp"
@@ -15,6 +16,8 @@
 #include "hitos/base/staged_folder.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/evaluation/reference_fit.hpp"
+#include "hitos/services/evaluation/relations.hpp"
+#include "hitos/services/evaluation/relative_error.hpp"
 #include "hitos/services/results/results.hpp"
 #include "hitos/workbench/configuration_choices.hpp"
 #include "hitos/workbench/open_tour.hpp"
@@ -92,6 +95,9 @@ Configuracion configuration_of(const BenchmarkTour& tour, const BenchmarkAlgorit
     choose_values(configuration, choices);
     return configuration;
 }
+
+constexpr const char* kNoRelation =
+    "no pose is within 0.02 s of both times of any of the relations: are the clocks the same?";
 
 /// The studies of a plan and the rows that they fill, in the plan's order.
 class Work {
@@ -172,8 +178,29 @@ class Work {
             const Trajectory reference = read_trajectory(tour.trajectory);
             if (const auto doubt = fit_of_reference(path, reference).doubt())
                 row.remark = doubt->words();
+            const auto take = [&](const char* word, double figure) {
+                row.figures[word] = spread_of({&figure, 1});
+            };
             const double error = trajectory_error(path, reference).value().rmse_m;
-            row.figures["trajectory_error_m"] = spread_of({&error, 1});
+            take("trajectory_error_m", error);
+            for (const auto& [word, turn, length_m] :
+                 {std::tuple("rpe_1m_m", "rpe_1m_turn_deg", 1.0),
+                  std::tuple("rpe_10m_m", "rpe_10m_turn_deg", 10.0)}) {
+                const auto relative = relative_error(path, reference, {.length = length_m});
+                if (!relative) continue;
+                take(word, relative->translation_m.rmse);
+                take(turn, relative->rotation_rad.rmse * 180.0 / kPi);
+            }
+            if (!tour.relations.empty()) {
+                const RelationErrors relations =
+                    relation_errors(measure_relations(path, read_relations(tour.relations)));
+                if (relations.used > 0) {
+                    take("relations_m", relations.translation_m.mean);
+                    take("relations_turn_deg", relations.rotation_rad.mean * 180.0 / kPi);
+                } else {
+                    row.remark += (row.remark.empty() ? "" : " ") + std::string(kNoRelation);
+                }
+            }
             row.runs = 1;
             row.hash = Digest()
                            .add_file(peer.trajectory)
@@ -215,6 +242,8 @@ class Work {
         if (row.runs == plan_.runs) row.hash = hash.text();
         for (const Advice& doubt : outcome.doubts)
             row.remark += (row.remark.empty() ? "" : " ") + doubt.words();
+        if (!studies_[place].relations.empty() && row.runs > 0 && !row.figures["relations_m"])
+            row.remark += (row.remark.empty() ? "" : " ") + std::string(kNoRelation);
         const std::filesystem::path sheet = studies_[place].layout.file("contact-sheet.png");
         std::error_code ignored;
         if (outcome.records.front().picture && std::filesystem::exists(sheet, ignored)) {

@@ -339,6 +339,19 @@ TEST(TreesInScans, AreTheSameWhicheverWayTheLaserTurnsAndWhereverItBegins) {
     }
 }
 
+// Between the two nothing is met over more than half a turn, or nearly a whole one.
+TEST(TreesInScans, AreFoundWhateverLiesBetweenThem) {
+    for (const double behind : {-2.0, -0.5, 3.0}) {
+        const Place place{{{{behind, 4.0}, 0.3}, {{behind, -4.0}, 0.2}}};
+        for (const double way : {1.0, -1.0}) {
+            const double half = way * 0.75 * kPi;
+            const Observation seen = found(place.seen({-half, half, 541, 20.0, {}}));
+            ASSERT_EQ(seen.circle_radii_m.size(), 2U) << behind << " " << way;
+            EXPECT_NEAR(seen.circle_radii_m[0] + seen.circle_radii_m[1], 0.5, 0.02);
+        }
+    }
+}
+
 TEST(TreesInScans, AreFoundWhereNobodySaysWhichRaysThereAre) {
     const Place place{{{{5.0, 0.0}, 0.25}, {{6.0, 3.0}, 0.3}, {{4.0, -3.0}, 0.2}}};
     Scan scan = place.seen(half_turn());

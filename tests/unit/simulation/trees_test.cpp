@@ -86,6 +86,9 @@ TEST(Trees, HaveARadiusEach) {
     };
     EXPECT_NE(told("[0.3]").find("grove.toml:3: landmarks.radii: found 1 radii of 2 landmarks"),
               std::string::npos);
+    EXPECT_NE(told("[[0.3], 0.1]").find("expected a radius in metres"), std::string::npos);
+    EXPECT_NE(told("[\"0.3\", 0.1]").find("expected a radius in metres"), std::string::npos);
+    EXPECT_NE(told("[]").find("landmarks.radii: found none"), std::string::npos);
     EXPECT_NE(told("[0.3, -1]").find("landmarks.radii: found the radius -1 m"), std::string::npos);
     EXPECT_NE(told("[0.3, 'thick']").find("expected a radius in metres"), std::string::npos);
     EXPECT_NE(told("0.3").find("landmarks.radii: expected [radius, ...]"), std::string::npos);

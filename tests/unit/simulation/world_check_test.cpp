@@ -25,7 +25,7 @@ TEST(WorldCheck, AStartNearAWallIsTold) {
     EXPECT_FALSE(check.start_free);
     EXPECT_FALSE(check.good());
     EXPECT_EQ(sentences_of(check, world).front().english(),
-              "start: 0.200 m from the nearest wall, expected at least the robot's radius of "
+              "start: 0.200 m from what is nearest, expected at least the robot's radius of "
               "0.26 m");
 }
 

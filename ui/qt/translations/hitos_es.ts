@@ -1999,14 +1999,6 @@
         <translation>0 m o más</translation>
     </message>
     <message>
-        <source>start: free, %1 m from the nearest wall</source>
-        <translation>salida: libre, a %1 m de la pared más cercana</translation>
-    </message>
-    <message>
-        <source>start: %1 m from the nearest wall, expected at least the robot&apos;s radius of %2 m</source>
-        <translation>salida: a %1 m de la pared más cercana; se esperaba al menos el radio del robot, %2 m</translation>
-    </message>
-    <message>
         <source>room: closed, every ray from the start meets a wall</source>
         <translation>recinto: cerrado, todo rayo desde la salida da con una pared</translation>
     </message>
@@ -3177,6 +3169,18 @@
     <message>
         <source>landmarks.radii: expected a radius in metres</source>
         <translation>landmarks.radii: se esperaba un radio en metros</translation>
+    </message>
+    <message>
+        <source>start: free, %1 m from what is nearest</source>
+        <translation>salida: libre, a %1 m de lo más cercano</translation>
+    </message>
+    <message>
+        <source>start: %1 m from what is nearest, expected at least the robot&apos;s radius of %2 m</source>
+        <translation>salida: a %1 m de lo más cercano; se esperaba al menos el radio del robot, %2 m</translation>
+    </message>
+    <message>
+        <source>landmarks.radii: found none; leave the key out where a sensor tells the landmarks</source>
+        <translation>landmarks.radii: no hay ninguno; omita la clave donde un sensor dice los hitos</translation>
     </message>
 </context>
 <context>
@@ -8572,6 +8576,10 @@
     <message>
         <source>; dashed: %1, as it ought to be</source>
         <translation>; a trazos: %1, como debería ser</translation>
+    </message>
+    <message>
+        <source>away from %1</source>
+        <translation>distancia a %1</translation>
     </message>
 </context>
 <context>

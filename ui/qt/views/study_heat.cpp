@@ -221,11 +221,15 @@ void StudyHeat::show_results(const StudyPlan& plan, const std::vector<StudyCell>
                              const Measure& measure) {
     double least = HUGE_VAL;
     double greatest = -HUGE_VAL;
+    // What darkens: the figure, or how far it is from what it ought to be.
+    const auto depth = [&](double mean) {
+        return measure.target ? std::abs(mean - *measure.target) : mean;
+    };
     for (const StudyCell& cell : cells) {
         const auto& figures = cell.figures[measure];
         if (!figures) continue;
-        least = std::min(least, figures->mean);
-        greatest = std::max(greatest, figures->mean);
+        least = std::min(least, depth(figures->mean));
+        greatest = std::max(greatest, depth(figures->mean));
     }
     const bool any = least <= greatest;
     const double span = greatest > least ? greatest - least : 1.0;
@@ -234,7 +238,7 @@ void StudyHeat::show_results(const StudyPlan& plan, const std::vector<StudyCell>
         Cells::Cell& shown = cells_->cells.emplace_back();
         shown.failed = cell.finished == 0 && cell.failed > 0;
         if (const auto& figures = cell.figures[measure]) {
-            shown.share = (figures->mean - least) / span;
+            shown.share = (depth(figures->mean) - least) / span;
             shown.words = as_written(measure, figures->mean, span);
         }
     }
@@ -252,7 +256,8 @@ void StudyHeat::show_results(const StudyPlan& plan, const std::vector<StudyCell>
         scale_->setDataRange({least, least + span});
     }
     scale_->axis()->setTicker(ends);
-    scale_->setLabel(axis_words(measure));
+    scale_->setLabel(measure.target ? StudyPlots::tr("away from %1").arg(*measure.target)
+                                    : axis_words(measure));
     replot(QCustomPlot::rpQueuedReplot);
 }
 

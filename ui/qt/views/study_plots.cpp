@@ -291,13 +291,16 @@ void StudyPlots::show_quality(const Measure& measure) {
 }
 
 void StudyPlots::offer_qualities() {
+    QStringList names;
+    for (const Measure* measure : qualities()) names << axis_words(*measure);
     const QSignalBlocker quiet(choice_);
-    choice_->clear();
-    for (const Measure* measure : qualities()) {
-        choice_->addItem(axis_words(*measure));
-        if (measure == quality_.measure) choice_->setCurrentIndex(choice_->count() - 1);
+    if (names != offered_) {  // else whoever has the list open keeps it
+        offered_ = names;
+        choice_->clear();
+        choice_->addItems(names);
     }
-    choice_->setVisible(choice_->count() > 1);
+    choice_->setCurrentIndex(static_cast<int>(names.indexOf(axis_words(*quality_.measure))));
+    choice_->setVisible(names.size() > 1);
 }
 
 void StudyPlots::show_figures() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 #include <optional>
 #include <vector>
@@ -101,6 +102,7 @@ class StudyPlots final : public QWidget {
     StudyPlan plan_;
     std::vector<StudyRecord> records_;
     std::vector<StudyCell> cells_;
+    QStringList offered_;
     const Measure* wanted_ = nullptr;  // as quality; null: what suits
     std::optional<std::size_t> chosen_;
 };

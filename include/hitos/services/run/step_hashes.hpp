@@ -13,9 +13,10 @@ namespace hitos {
 
 /// A table with one line a scan, and one for the state at the end of the tour: comma separated, RFC
 /// 4180. Each part of the state has a column: 64 bits of its digest (XXH3) in hexadecimal. In the
-/// order of the run loop: the pose by odometry, the scan, its features, registration's key poses,
-/// all hypotheses with their weights, the landmarks of all of them, the path behind. Where two
-/// tables are the same, so are the runs, to the last bit.
+/// order of the run loop: the pose by odometry, the scan, its features with their covariances,
+/// registration's key poses and loops, all hypotheses with their weights, the landmarks of all of
+/// them, the paths behind. Where two tables are the same, so is what the runs have made, to the
+/// last bit; grids are not in it, which are drawn of scans and paths.
 class StepHashes {
   public:
     StepHashes();

@@ -69,6 +69,9 @@ TEST(Suitability, WallsBreakWhosePointsScatterForDmax) {
     EXPECT_EQ(told[0].figure, "9.0 mm");
     EXPECT_NE(told[0].text.find("too much for split_merge.dmax"), std::string_view::npos);
     EXPECT_EQ(told[0].preset, "simulated");
+    configuration.extraction.circles.find = true;  // no other preset knows trees
+    EXPECT_EQ(advice_of({.scatter_m = 0.009}, configuration, 40, true).at(0).preset, "");
+    configuration.extraction.circles.find = false;
     EXPECT_TRUE(advice_of({.scatter_m = 0.007}, configuration).empty());
     configuration.extraction.method = "ransac";  // reads no dmax
     EXPECT_TRUE(advice_of({.scatter_m = 0.009}, configuration).empty());
