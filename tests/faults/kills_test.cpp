@@ -97,7 +97,10 @@ TEST_P(Kills, LeaveWholeResultsAndTheSameCommandGivesTheRest) {
         expect_whole(command, finished_files(place_.content()));
         const Outcome again = place_.run(command.words);
         ASSERT_EQ(again.status, 0) << again.output;
-        EXPECT_EQ(difference(after_, place_.content()), "") << "after the same command again";
+        // Of a file that stands alone nobody knows that its name was being given.
+        const bool alone = command.name == "convert" || command.name == "simulate";
+        const Content found = alone ? finished_files(place_.content()) : place_.content();
+        EXPECT_EQ(difference(after_, found), "") << "after the same command again";
         if (command.name.starts_with("run") || command.name == "study") {
             const std::string folder = place_.path(command.name == "study" ? "study" : "out");
             const Outcome verdict = place_.run({"verify", folder});
