@@ -58,21 +58,21 @@ std::string script_text(const std::string& stem, std::span<const CalibrationCurv
         if (std::ranges::any_of(curves, [&](const auto& one) { return has(one, kPanels.at(i)); }))
             panels.push_back(i);
     }
-    constexpr int kWidth = 420;  // pixels, of a panel
+    constexpr int kWidth = 430;  // pixels, of a panel
     constexpr std::size_t kLetter = 9;
     constexpr std::size_t kBeside = 80;
     std::size_t longest = 20;
     for (const CalibrationCurve& curve : curves) longest = std::max(longest, curve.name.size());
     // What the curves are called, at the right.
     const auto legend = static_cast<int>(kLetter * longest + kBeside);
-    constexpr int kAxis = 70;
+    constexpr int kAxis = 85;
     constexpr int kGap = 15;
     constexpr int kLine = 20;  // of the legend
     const int height = std::max(kWidth + kAxis / 3, kLine * (static_cast<int>(curves.size()) + 4));
     const int width = kWidth * static_cast<int>(panels.size()) + legend;
     std::string body =
-        "set xlabel 'expected share'\nset ylabel 'share seen'\nset xrange [0.45:1]\nset yrange "
-        "[0:1]\nset grid\n"
+        "set xlabel 'expected share'\nset ylabel 'share seen'\nset grid\n"
+        "set xrange [0.45:1.02]\nset yrange [0:1.04]\n"
         "set xtics (0.5, 0.68, 0.95, '' 0.99)\nset size ratio 1\n";
     for (std::size_t at = 0; at < panels.size(); ++at) {
         const std::size_t place = panels[at];
