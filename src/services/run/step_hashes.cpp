@@ -9,6 +9,7 @@
 
 #include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
 #include "state_bytes.hpp"
 
 namespace hitos {
@@ -25,21 +26,13 @@ std::string heading() {
     return text;
 }
 
-/// The text up to the end of the line, which is taken off it.
-std::string_view next_line(std::string_view& text) {
-    const std::size_t end = text.find('\n');
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    return line;
-}
-
 using Cells = std::array<std::string_view, kColumns.size()>;
 
 /// A table's lines, one after another.
 class HashLines {
   public:
     HashLines(std::string_view text, const std::string& name) : rest_(text), name_(name) {
-        if (next_line(rest_) != heading()) {
+        if (input::next_line(rest_) != heading()) {
             throw FormatError(name_, 1,
                               message(HITOS_TEXT("Errors",
                                                  "expected the heading \"%1\" of a table "
@@ -49,9 +42,10 @@ class HashLines {
     }
     /// Nothing at the end.
     std::optional<Cells> next() {
-        if (rest_.empty()) return std::nullopt;
+        const std::optional<std::string_view> whole = input::next_line(rest_);
+        if (!whole) return std::nullopt;
         ++line_;
-        std::string_view line = next_line(rest_);
+        std::string_view line = *whole;
         Cells cells;
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const std::size_t comma = i + 1 == cells.size() ? line.size() : line.find(',');
