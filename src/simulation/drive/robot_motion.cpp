@@ -90,19 +90,20 @@ bool RobotMotion::barred(const Twist& twist) const {
     const Point2 from{pose().x, pose().y};
     const Point2 to{after.x, after.y};
     if (from == to) return false;
-    const auto bars = [&](double nearest, double at_first, double at_last) {
+    const auto bars = [&](double nearest, const auto& from_point) {
         if (nearest - bulge(twist, period_s_) >= world_.robot.radius_m) return false;
-        const bool leaves = nearest >= at_first && at_last > at_first;
+        const double at_first = from_point(from);
+        const bool leaves = nearest >= at_first && from_point(to) > at_first;
         return !leaves;
     };
     for (std::size_t i = 0; i < world_.landmarks.radii_m.size(); ++i) {
         const auto away = [&](const Point2& a, const Point2& b) {
             return distance_to_bark(world_.landmarks, i, a, b);
         };
-        if (bars(away(from, to), away(from, from), away(to, to))) return true;
+        if (bars(away(from, to), [&](const Point2& p) { return away(p, p); })) return true;
     }
     return std::ranges::any_of(conditions_.walls(), [&](const auto& wall) {
-        return bars(distance(wall, from, to), distance(wall, from), distance(wall, to));
+        return bars(distance(wall, from, to), [&](const Point2& p) { return distance(wall, p); });
     });
 }
 
