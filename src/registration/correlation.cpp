@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
+#include <compare>
+#include <cstddef>
 #include <cstdlib>
-#include <queue>
 #include <utility>
 
 namespace hitos {
@@ -17,25 +19,6 @@ constexpr int kMost = 255;  // of a cell
 /// its cell unknown.
 constexpr std::array<std::array<std::uint8_t, kReach + 1>, kReach + 1> kBlur{
     {{kMost, 230, 130}, {230, 200, 110}, {130, 110, 60}}};
-
-/// A square of positions at one angle, with the bound of its score.
-struct Square {
-    int sum;
-    int angle;
-    int x;
-    int y;
-    int level;
-
-    /// The least of the queue; of equal sums finer squares come first, then by place, so that the
-    /// order never depends on how the queue is built.
-    friend bool operator<(const Square& a, const Square& b) {
-        if (a.sum != b.sum) return a.sum < b.sum;
-        if (a.level != b.level) return a.level > b.level;
-        if (a.angle != b.angle) return a.angle > b.angle;
-        if (a.x != b.x) return a.x > b.x;
-        return a.y > b.y;
-    }
-};
 
 }  // namespace
 
@@ -107,26 +90,67 @@ CorrelationMap::Picture CorrelationMap::coarser(const Picture& fine, std::size_t
     return coarse;
 }
 
-int CorrelationMap::sum(std::span<const Cell> cells, int x, int y, int level, int least) const {
-    constexpr std::size_t kAtOnce = 64;  // cells between two looks at what can still be reached
-    const std::vector<std::uint8_t>& picture = pictures_[static_cast<std::size_t>(level)];
+CorrelationMap::Pattern::Pattern(std::vector<Cell> all)
+    : cells(std::move(all)), low(cells.front()), high(cells.front()) {
+    for (const Cell& cell : cells) {
+        low = {std::min(low.column, cell.column), std::min(low.row, cell.row)};
+        high = {std::max(high.column, cell.column), std::max(high.row, cell.row)};
+    }
+}
+
+template <std::size_t kPlaces>
+std::array<int, kPlaces> CorrelationMap::sums(const Pattern& pattern,
+                                              const std::array<Cell, kPlaces>& places, int level,
+                                              int least) const {
+    constexpr std::size_t kAtOnce = 32;  // cells between two looks at what can still be reached
+    const std::uint8_t* const picture = pictures_[static_cast<std::size_t>(level)].data();
+    const std::span<const Cell> cells = pattern.cells;
     const int reach = 1 << level;
-    int sum = 0;
+    const bool inside = std::ranges::all_of(places, [&](const Cell& place) {
+        return pattern.low.column + place.column >= 0 && pattern.low.row + place.row >= 0 &&
+               pattern.high.column + place.column < columns_ &&
+               pattern.high.row + place.row < rows_;
+    });
+    std::array<int, kPlaces> sums{};
+    std::array<std::ptrdiff_t, kPlaces> offsets{};
+    for (std::size_t i = 0; i < kPlaces; ++i)
+        offsets[i] = std::ptrdiff_t{places[i].row} * columns_ + places[i].column;
     for (std::size_t begin = 0; begin < cells.size(); begin += kAtOnce) {
         const std::span<const Cell> left = cells.subspan(begin);
-        if (sum + kMost * static_cast<int>(left.size()) < least) break;
-        for (const Cell& cell : left.first(std::min(kAtOnce, left.size()))) {
-            int a = cell.column + x;
-            int b = cell.row + y;
-            // A square that begins outside may reach into the map.
-            if (a < 0 && a > -reach) a = 0;
-            if (b < 0 && b > -reach) b = 0;
-            if (a < 0 || b < 0 || a >= columns_ || b >= rows_) continue;
-            sum += picture[static_cast<std::size_t>(b) * static_cast<std::size_t>(columns_) +
-                           static_cast<std::size_t>(a)];
+        if (std::ranges::max(sums) + kMost * static_cast<int>(left.size()) < least) break;
+        const std::span<const Cell> now = left.first(std::min(kAtOnce, left.size()));
+        if (inside) {
+            for (const Cell& cell : now) {
+                const std::uint8_t* const at =
+                    picture + std::ptrdiff_t{cell.row} * columns_ + cell.column;
+                for (std::size_t i = 0; i < kPlaces; ++i) sums[i] += at[offsets[i]];
+            }
+            continue;
+        }
+        for (std::size_t i = 0; i < kPlaces; ++i) {
+            for (const Cell& cell : now) {
+                int a = cell.column + places[i].column;
+                int b = cell.row + places[i].row;
+                // A square that begins outside may reach into the map.
+                if (a < 0 && a > -reach) a = 0;
+                if (b < 0 && b > -reach) b = 0;
+                if (a < 0 || b < 0 || a >= columns_ || b >= rows_) continue;
+                sums[i] += picture[std::ptrdiff_t{b} * columns_ + a];
+            }
         }
     }
-    return sum;
+    return sums;
+}
+
+int CorrelationMap::sum(const Pattern& pattern, int x, int y, int level, int least) const {
+    return sums<1>(pattern, {{{x, y}}}, level, least)[0];
+}
+
+std::array<int, 4> CorrelationMap::quarters(const Pattern& pattern, int x, int y, int level,
+                                            int least) const {
+    const int side = 1 << level;
+    return sums<4>(pattern, {{{x, y}, {x, y + side}, {x + side, y}, {x + side, y + side}}}, level,
+                   least);
 }
 
 namespace {
@@ -191,6 +215,81 @@ class Mask {
     std::vector<std::vector<bool>> levels_;  // from kFinest on
 };
 
+/// A square of positions at one angle, counted from the window's first ones, with the bound of its
+/// score; one number, by which a heap is ordered quickest.
+class Square {
+  public:
+    static constexpr int kPlaceBits = 13;
+    static constexpr int kAngleBits = 10;
+    static constexpr int kLevelBits = 3;
+    static constexpr int kSumBits = 64 - kLevelBits - kAngleBits - 2 * kPlaceBits;
+
+    Square(int sum, int level, int angle, int x, int y) : number_(static_cast<std::uint64_t>(sum)) {
+        put(level, kLevelBits);
+        put(angle, kAngleBits);
+        put(x, kPlaceBits);
+        put(y, kPlaceBits);
+    }
+    int sum() const { return static_cast<int>(number_ >> (64 - kSumBits)); }
+    int level() const { return part(kAngleBits + 2 * kPlaceBits, kLevelBits); }
+    int angle() const { return part(2 * kPlaceBits, kAngleBits); }
+    int x() const { return part(kPlaceBits, kPlaceBits); }
+    int y() const { return part(0, kPlaceBits); }
+
+    /// By sum; of equal ones finer squares are the greater, then those of lower place, so that the
+    /// order never depends on how a heap is built.
+    friend auto operator<=>(const Square&, const Square&) = default;
+
+  private:
+    static constexpr std::uint64_t ones(int bits) { return (std::uint64_t{1} << bits) - 1; }
+    void put(int value, int bits) {
+        number_ = (number_ << bits) | (ones(bits) - static_cast<std::uint64_t>(value));
+    }
+    int part(int shift, int bits) const {
+        return static_cast<int>(ones(bits) - ((number_ >> shift) & ones(bits)));
+    }
+
+    std::uint64_t number_;
+};
+
+/// Squares whose sums only fall: what is put in has no greater sum than what was taken out last.
+/// Quicker than one heap, which in a wide window has no room in the cache.
+class FallingSquares {
+  public:
+    /// Of sums up to `most`.
+    explicit FallingSquares(int most) {
+        constexpr int kHeaps = 1 << 8;
+        while (most >> shift_ >= kHeaps) ++shift_;
+        heaps_.resize(static_cast<std::size_t>(most >> shift_) + 1);
+    }
+
+    void push(const Square& square) {
+        const auto place = static_cast<std::size_t>(square.sum() >> shift_);
+        assert(place < heaps_.size());
+        heaps_[place].push_back(square);
+        if (place + 1 == heaps_.size()) std::ranges::push_heap(heaps_.back());
+    }
+    /// The greatest; null where there is none.
+    const Square* top() {
+        if (heaps_.empty()) return nullptr;
+        while (heaps_.back().empty()) {
+            heaps_.pop_back();
+            if (heaps_.empty()) return nullptr;
+            std::ranges::make_heap(heaps_.back());
+        }
+        return heaps_.back().data();
+    }
+    /// Of what is not empty.
+    void pop() {
+        std::ranges::pop_heap(heaps_.back());
+        heaps_.back().pop_back();
+    }
+
+  private:
+    int shift_ = 0;
+    std::vector<std::vector<Square>> heaps_;  // by sum; all but the last one are in no order
+};
+
 /// Squares of places, best first.
 class BestFirst {
   public:
@@ -201,7 +300,8 @@ class BestFirst {
           centre_(centre),
           count_(static_cast<double>(points.size())),
           reach_(static_cast<int>(std::ceil(window.position_m / CorrelationMap::kCell))),
-          mask_(centre, reach_, map.levels(), positions, within_m) {
+          mask_(centre, reach_, map.levels(), positions, within_m),
+          open_(kMost * static_cast<int>(points.size())) {
         double far = 1.0;
         for (const SurfacePoint& p : points) {
             far = std::max(far, std::hypot(static_cast<double>(p.x), static_cast<double>(p.y)));
@@ -210,13 +310,18 @@ class BestFirst {
         angle_step_ = std::clamp(1.2 * CorrelationMap::kCell / std::min(far, 10.0), 0.012, 0.03);
         angles_ = static_cast<int>(std::ceil(window.heading_rad / angle_step_));
         least_ = static_cast<int>(least_score * kMost * count_);
+        assert(2 * reach_ < 1 << Square::kPlaceBits && 2 * angles_ < 1 << Square::kAngleBits &&
+               map.levels() < 1 << Square::kLevelBits &&
+               points.size() < (std::size_t{1} << Square::kSumBits) / kMost);
         turn(points);
         const int width = 1 << map.levels();
-        for (int x = -reach_; x <= reach_; x += width) {
-            for (int y = -reach_; y <= reach_; y += width) {
-                if (!mask_.holds(x + reach_, y + reach_, map.levels())) continue;
-                for (int angle = -angles_; angle <= angles_; ++angle) {
-                    offer(angle, x, y, map.levels());
+        for (int x = 0; x <= 2 * reach_; x += width) {
+            for (int y = 0; y <= 2 * reach_; y += width) {
+                if (!mask_.holds(x, y, map.levels())) continue;
+                for (int angle = 0; angle <= 2 * angles_; ++angle) {
+                    const int sum =
+                        map_.sum(turned(angle), x - reach_, y - reach_, map.levels(), least_);
+                    if (sum >= least_) open_.push({sum, map.levels(), angle, x, y});
                 }
             }
         }
@@ -226,53 +331,61 @@ class BestFirst {
     /// in all; squares of which `passed` is true are left out.
     template <class Passed>
     std::optional<Correlation> next(int most, double least, const Passed& passed) {
-        for (; !open_.empty() && opened_ < most; ++opened_) {
-            const Square best = open_.top();
+        for (; open_.top() != nullptr && opened_ < most; ++opened_) {
+            const Square best = *open_.top();
             if (score(best) < least) break;
             open_.pop();
             if (passed(best)) continue;
-            if (best.level == 0) return Correlation{pose(best, 0.0), score(best)};
-            const int half = 1 << (best.level - 1);
-            for (const int x : {best.x, best.x + half}) {
-                for (const int y : {best.y, best.y + half}) offer(best.angle, x, y, best.level - 1);
-            }
+            if (best.level() == 0) return Correlation{pose(best, 0.0), score(best)};
+            open(best);
         }
         return std::nullopt;
     }
 
     /// Whether there may be further places of such a score.
-    bool more(double least) const { return !open_.empty() && score(open_.top()) >= least; }
+    bool more(double least) { return open_.top() != nullptr && score(*open_.top()) >= least; }
     /// Of a place of a square, `cells` from its corner.
     Pose pose(const Square& square, double cells) const {
-        return {centre_.x + (square.x + cells) * CorrelationMap::kCell,
-                centre_.y + (square.y + cells) * CorrelationMap::kCell,
-                wrap_angle(centre_.theta + square.angle * angle_step_)};
+        return {centre_.x + (square.x() - reach_ + cells) * CorrelationMap::kCell,
+                centre_.y + (square.y() - reach_ + cells) * CorrelationMap::kCell,
+                wrap_angle(centre_.theta + (square.angle() - angles_) * angle_step_)};
     }
 
   private:
-    double score(const Square& square) const { return square.sum / (kMost * count_); }
+    double score(const Square& square) const { return square.sum() / (kMost * count_); }
 
     void turn(std::span<const SurfacePoint> points) {
-        turned_.resize(2 * static_cast<std::size_t>(angles_) + 1);
+        turned_.reserve(2 * static_cast<std::size_t>(angles_) + 1);
         for (int angle = -angles_; angle <= angles_; ++angle) {
             const double c = std::cos(centre_.theta + angle * angle_step_);
             const double s = std::sin(centre_.theta + angle * angle_step_);
-            const int place = angle + angles_;
-            auto& cells = turned_[static_cast<std::size_t>(place)];
+            std::vector<CorrelationMap::Cell> cells;
             cells.reserve(points.size());
             for (const SurfacePoint& p : points) {
                 const auto x = static_cast<double>(p.x);
                 const auto y = static_cast<double>(p.y);
                 cells.push_back(map_.cell(centre_.x + c * x - s * y, centre_.y + s * x + c * y));
             }
+            turned_.emplace_back(std::move(cells));
         }
     }
-    void offer(int angle, int x, int y, int level) {
-        if (x > reach_ || y > reach_) return;  // squares at the window's edge reach beyond it
-        if (!mask_.holds(x + reach_, y + reach_, level)) return;
-        const int place = angle + angles_;
-        const int sum = map_.sum(turned_[static_cast<std::size_t>(place)], x, y, level, least_);
-        if (sum >= least_) open_.push({sum, angle, x, y, level});
+    const CorrelationMap::Pattern& turned(int angle) const {
+        return turned_[static_cast<std::size_t>(angle)];
+    }
+    /// Puts its quarters in its place.
+    void open(const Square& square) {
+        const int level = square.level() - 1;
+        const std::array<int, 4> sums = map_.quarters(turned(square.angle()), square.x() - reach_,
+                                                      square.y() - reach_, level, least_);
+        for (int i = 0; i < 4; ++i) {
+            const int x = square.x() + ((i >> 1) << level);
+            const int y = square.y() + ((i & 1) << level);
+            const int sum = sums[static_cast<std::size_t>(i)];
+            // Squares at the window's edge reach beyond it.
+            if (sum < least_ || x > 2 * reach_ || y > 2 * reach_ || !mask_.holds(x, y, level))
+                continue;
+            open_.push({sum, level, square.angle(), x, y});
+        }
     }
 
     const CorrelationMap& map_;
@@ -284,8 +397,8 @@ class BestFirst {
     int angles_ = 0;
     int least_ = 0;
     int opened_ = 0;
-    std::vector<std::vector<CorrelationMap::Cell>> turned_;
-    std::priority_queue<Square> open_;
+    std::vector<CorrelationMap::Pattern> turned_;
+    FallingSquares open_;
 };
 
 }  // namespace
@@ -316,7 +429,7 @@ BestPlaces best_places(std::span<const SurfacePoint> points, const CorrelationMa
     BestPlaces found;
     std::vector<Correlation>& places = found.places;
     const auto beside_one = [&](const Square& square) {
-        const double half = 0.5 * ((1 << square.level) - 1);
+        const double half = 0.5 * ((1 << square.level()) - 1);
         const Pose middle = search.pose(square, half);
         return std::ranges::any_of(places, [&](const Correlation& place) {
             return std::hypot(middle.x - place.pose.x, middle.y - place.pose.y) +

@@ -2,6 +2,8 @@
 // Where in a window a set of points correlates best with a map, whatever the start.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -27,14 +29,29 @@ class CorrelationMap {
         int column;
         int row;
     };
+    /// Cells that are moved together, and the least rectangle that holds them.
+    struct Pattern {
+        std::vector<Cell> cells;
+        Cell low;
+        Cell high;
+        /// Of one cell at least.
+        explicit Pattern(std::vector<Cell> all);
+    };
     /// That of a point of the world.
     Cell cell(double x, double y) const;
     /// Sum over cells moved by (x, y), of the greatest value in the square of 2^level cells that
     /// begins there. Of a sum below `least` it is only told that it is.
-    int sum(std::span<const Cell> cells, int x, int y, int level, int least = 0) const;
+    int sum(const Pattern& pattern, int x, int y, int level, int least = 0) const;
+    /// Those of the four squares of 2^level cells that a square of twice the side is made of, which
+    /// begins at (x, y): the first column's two, then the second's.
+    std::array<int, 4> quarters(const Pattern& pattern, int x, int y, int level, int least) const;
 
   private:
     using Picture = std::vector<std::uint8_t>;
+    /// sum() at several places, all or none of them below `least` by what is left.
+    template <std::size_t kPlaces>
+    std::array<int, kPlaces> sums(const Pattern& pattern, const std::array<Cell, kPlaces>& places,
+                                  int level, int least) const;
 
     void blur(const PointMap& map, double half_m);
     Picture coarser(const Picture& fine, std::size_t half) const;

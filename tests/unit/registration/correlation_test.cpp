@@ -3,6 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
 #include "drawn_scan.hpp"
 
 namespace hitos {
@@ -34,8 +40,9 @@ double tried(const std::vector<SurfacePoint>& points, const CorrelationMap& map,
                                         Point2{static_cast<double>(p.x), static_cast<double>(p.y)});
             cells.push_back(map.cell(at.x, at.y));
         }
+        const CorrelationMap::Pattern pattern(std::move(cells));
         for (int x = -reach; x <= reach; ++x) {
-            for (int y = -reach; y <= reach; ++y) best = std::max(best, map.sum(cells, x, y, 0));
+            for (int y = -reach; y <= reach; ++y) best = std::max(best, map.sum(pattern, x, y, 0));
         }
     }
     return best / 255.0 / static_cast<double>(points.size());
@@ -52,12 +59,13 @@ TEST(Correlation, ASumIsExactUnlessItIsTooSmall) {
         cells.push_back(picture.cell(at.x, at.y));
     }
     ASSERT_GT(cells.size(), 128U);  // else there is nothing to leave out
+    const CorrelationMap::Pattern pattern(std::move(cells));
     int ended_early = 0;
     for (int x = -20; x <= 20; x += 4) {
         for (int level = 0; level <= 2; ++level) {
-            const int exact = picture.sum(cells, x, 0, level);
+            const int exact = picture.sum(pattern, x, 0, level);
             for (const int least : {1, exact, exact + 1, 20000, 60000}) {
-                const int told = picture.sum(cells, x, 0, level, least);
+                const int told = picture.sum(pattern, x, 0, level, least);
                 if (exact >= least) {
                     EXPECT_EQ(told, exact);
                 } else {
@@ -68,6 +76,40 @@ TEST(Correlation, ASumIsExactUnlessItIsTooSmall) {
         }
     }
     EXPECT_GT(ended_early, 0);
+}
+
+TEST(Correlation, QuartersAreTheSumsOfTheirCellsInTheMapAndBeyondItsEdge) {
+    const Walls room = test::recess_room();
+    const CorrelationMap picture(map_of(room, {}), 20.0, 3);
+    std::vector<CorrelationMap::Cell> cells;
+    std::vector<CorrelationMap::Pattern> single;
+    for (const SurfacePoint& p : test::drawn_points(room, {})) {
+        cells.push_back(picture.cell(static_cast<double>(p.x), static_cast<double>(p.y)));
+        single.emplace_back(std::vector{cells.back()});
+    }
+    const CorrelationMap::Pattern all(std::move(cells));
+    const auto summed = [&](int x, int y, int level) {
+        int sum = 0;
+        for (const CorrelationMap::Pattern& one : single) sum += picture.sum(one, x, y, level);
+        return sum;
+    };
+    // Where all lies in the map its edges are not looked at.
+    int nothing = 0;
+    for (int x = -300; x <= 300; x += 23) {
+        for (int y = -300; y <= 300; y += 19) {
+            for (int level = 0; level <= 3; ++level) {
+                const int side = 1 << level;
+                const std::array<int, 4> four = picture.quarters(all, x, y, level, 0);
+                EXPECT_EQ(four[0], summed(x, y, level));
+                EXPECT_EQ(four[1], summed(x, y + side, level));
+                EXPECT_EQ(four[2], summed(x + side, y, level));
+                EXPECT_EQ(four[3], summed(x + side, y + side, level));
+                if (four[0] == 0) ++nothing;
+            }
+        }
+    }
+    EXPECT_GT(nothing, 0);
+    EXPECT_GT(summed(0, 0, 0), 255 * static_cast<int>(single.size()) / 2);
 }
 
 TEST(Correlation, IsTheBestOfAllThatCouldBeTried) {
