@@ -86,10 +86,10 @@ void KeyGraph::reach(std::size_t from, std::vector<GraphReach>& reached, double 
     }
 }
 
-void KeyGraph::add_scan_edges(std::uint32_t to, const Pose& pose,
-                              std::span<const std::uint32_t> sources,
-                              std::span<const Linearization> by_source, double information,
-                              std::size_t newest) {
+void KeyGraph::find_scan_edges(std::uint32_t to, const Pose& pose,
+                               std::span<const std::uint32_t> sources,
+                               std::span<const Linearization> by_source, double information,
+                               std::size_t newest, std::vector<PoseEdge>& found) const {
     constexpr int kFewestMatches = 8;
     constexpr double kFar = 0.5;  // [m], a third of a radian counts a metre
     for (std::size_t i = 0; i < sources.size(); ++i) {
@@ -101,7 +101,7 @@ void KeyGraph::add_scan_edges(std::uint32_t to, const Pose& pose,
             -(h + Eigen::Matrix3d::Identity()).ldlt().solve(Eigen::Vector3d(information * l.b));
         if (!(std::abs(step(0)) + std::abs(step(1)) + 3.0 * std::abs(step(2)) <= kFar)) continue;
         const Pose& from = poses[sources[i]].pose;
-        edges.push_back({sources[i], to, between(from, shifted(pose, step)), turned(h, -from.theta),
+        found.push_back({sources[i], to, between(from, shifted(pose, step)), turned(h, -from.theta),
                          to - sources[i] > newest || part_begin(to) != part_begin(sources[i])
                              ? EdgeKind::loop
                              : EdgeKind::scan});

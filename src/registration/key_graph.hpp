@@ -65,13 +65,13 @@ class KeyGraph {
     void reach(std::size_t from, std::vector<GraphReach>& reached,
                double way_m = GraphReach::kNever) const;
 
-    /// Edges from what a scan says against each key of a map at `pose`, where it became key `to`:
-    /// `by_source` belongs to the keys `sources`. Left out are those of fewer than 8 matches, or
-    /// where the key alone would move the scan by more than half a metre. An edge is of a loop
-    /// where its key is none of the `newest` before `to`.
-    void add_scan_edges(std::uint32_t to, const Pose& pose, std::span<const std::uint32_t> sources,
-                        std::span<const Linearization> by_source, double information,
-                        std::size_t newest);
+    /// Puts to `found` edges from what a scan says against each key of a map at `pose`, where it
+    /// became key `to`: `by_source` belongs to the keys `sources`. Left out are those of fewer than
+    /// 8 matches, or where the key alone would move the scan by more than half a metre. An edge is
+    /// of a loop where its key is none of the `newest` before `to`.
+    void find_scan_edges(std::uint32_t to, const Pose& pose, std::span<const std::uint32_t> sources,
+                         std::span<const Linearization> by_source, double information,
+                         std::size_t newest, std::vector<PoseEdge>& found) const;
 
   private:
     std::vector<std::vector<std::uint32_t>> joined_;

@@ -3,16 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hitos {
 namespace {
 
 constexpr double kBucket = 0.3;  // [m]
+constexpr double kPerM = 1.0 / kBucket;
 
 /// The bucket that a coordinate lies in, -1 before the first of `count`, `count` behind the last.
 int bucket(double offset, int count) {
     // Truncation rounds down where nothing is negative.
-    return static_cast<int>(std::clamp(offset / kBucket + 1.0, 0.0, count + 1.0)) - 1;
+    return static_cast<int>(std::clamp(offset * kPerM + 1.0, 0.0, count + 1.0)) - 1;
 }
 
 }  // namespace
@@ -53,8 +55,8 @@ void PointMap::build() {
     }
     x0_ = bounds.low.x;
     y0_ = bounds.low.y;
-    columns_ = static_cast<int>((bounds.high.x - bounds.low.x) / kBucket) + 1;
-    rows_ = static_cast<int>((bounds.high.y - bounds.low.y) / kBucket) + 1;
+    columns_ = static_cast<int>((bounds.high.x - bounds.low.x) * kPerM) + 1;
+    rows_ = static_cast<int>((bounds.high.y - bounds.low.y) * kPerM) + 1;
     const auto buckets = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
     starts_.assign(buckets + 2, 0);
     places_.resize(added_.size());
@@ -88,8 +90,8 @@ void PointMap::search_row(int row, int first_column, int last_column, float x, f
 const MapPoint* PointMap::nearest(double x, double y, double radius_m, double* distance2_m2) const {
     const double u = x - x0_;
     const double v = y - y0_;
-    const int first_column = std::max(bucket(u - radius_m, columns_), 0);
-    const int last_column = std::min(bucket(u + radius_m, columns_), columns_ - 1);
+    int first_column = std::max(bucket(u - radius_m, columns_), 0);
+    int last_column = std::min(bucket(u + radius_m, columns_), columns_ - 1);
     const int first_row = std::max(bucket(v - radius_m, rows_), 0);
     const int last_row = std::min(bucket(v + radius_m, rows_), rows_ - 1);
     if (first_column > last_column || first_row > last_row) return nullptr;
@@ -97,9 +99,30 @@ const MapPoint* PointMap::nearest(double x, double y, double radius_m, double* d
     const auto fx = static_cast<float>(x);
     const auto fy = static_cast<float>(y);
     Nearest best{static_cast<float>(radius_m * radius_m), nullptr};
-    // From the middle row out, as long as rows are nearer than what was found.
+    // Columns that are further than what was found say nothing, but for rounding.
+    const auto narrow = [&] {
+        constexpr double kRounding = 1e-3;  // [m]
+        if (best.point == nullptr) return;
+        const double near = std::sqrt(static_cast<double>(best.d2)) + kRounding;
+        first_column = std::max(first_column, bucket(u - near, columns_));
+        last_column = std::min(last_column, bucket(u + near, columns_));
+    };
+    // From the middle bucket and row out, as long as rows are nearer than what was found. Of points
+    // as near the first one in the middle row is taken, whatever the order of looking.
     const int middle = std::clamp(bucket(v, rows_), first_row, last_row);
-    search_row(middle, first_column, last_column, fx, fy, best);
+    const int column = std::clamp(bucket(u, columns_), first_column, last_column);
+    search_row(middle, column, column, fx, fy, best);
+    narrow();
+    if (first_column < column) {
+        Nearest left = best;
+        if (best.point != nullptr)
+            left.d2 = std::nextafter(best.d2, std::numeric_limits<float>::infinity());
+        left.point = nullptr;
+        search_row(middle, first_column, column - 1, fx, fy, left);
+        if (left.point != nullptr) best = left;
+    }
+    if (column < last_column) search_row(middle, column + 1, last_column, fx, fy, best);
+    narrow();
     for (int row = middle + 1; row <= last_row; ++row) {
         const double gap = row * kBucket - v;
         if (gap > 0.0 && gap * gap > static_cast<double>(best.d2)) break;

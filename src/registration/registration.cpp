@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "hitos/base/thread_crew.hpp"
 #include "hitos/registration/odometry_step.hpp"
 #include "hitos/registration/pose_algebra.hpp"
 #include "hitos/registration/pose_graph_solver.hpp"
@@ -174,8 +175,8 @@ void Registration::Impl::add_key(std::uint64_t scan, const TourBegin* begin) {
         const Linearization l = matcher_.linearize(points_, map_, now_, kFineStage, 1, &by_source_);
         const std::size_t first = graph_.edges.size();
         if (l.matches >= kLeastMatches) {
-            graph_.add_scan_edges(newest, now_, map_keys_, by_source_, matcher_.information(),
-                                  newest_in_map());
+            graph_.find_scan_edges(newest, now_, map_keys_, by_source_, matcher_.information(),
+                                   newest_in_map(), graph_.edges);
         }
         for (std::size_t i = first; i < graph_.edges.size(); ++i) {
             const PoseEdge& edge = graph_.edges[i];
@@ -232,8 +233,8 @@ LoopVerdict Registration::Impl::close(const LoopFound& found, LoopRecord& record
     by_source_.assign(found.sources.size(), {});
     matcher_.linearize(scan, map, pose, kFineStage, 1, &by_source_);
     const std::size_t first = graph_.edges.size();
-    graph_.add_scan_edges(static_cast<std::uint32_t>(newest), pose, found.sources, by_source_,
-                          matcher_.information(), 0);
+    graph_.find_scan_edges(static_cast<std::uint32_t>(newest), pose, found.sources, by_source_,
+                           matcher_.information(), 0, graph_.edges);
     if (graph_.edges.size() == first) return LoopVerdict::no_edge;
     // Both without robust weights, which let a slip stand as it is and would cut a large correction
     // off.
@@ -294,26 +295,38 @@ void Registration::Impl::finish(bool another_follows) {
 }
 
 /// Every key's scan against its neighbours as they lie now.
-void Registration::Impl::register_anew(bool first) {
+void Registration::Impl::register_anew(bool first_pass) {
     constexpr MatchStage kWide{0.4, 0.1, true};
     std::erase_if(graph_.edges, [&](const PoseEdge& edge) {
         return (edge.kind == EdgeKind::scan || edge.kind == EdgeKind::loop) && edge.to >= held_;
     });
-    std::vector<GraphReach> reached;
-    std::vector<std::uint32_t> keys;
-    PointMap map;
-    for (std::size_t k = std::max<std::size_t>(held_, 1); k < graph_.size(); ++k) {
-        graph_.reach(k, reached, 2.0 * kOldKeysWay);
-        const Pose& pose = graph_.poses[k].pose;
-        select_keys(graph_, k, pose, newest_in_map(), reached, 2.0 * kOldKeysWay, keys);
-        build_map(graph_, keys, pose, kMapHalf, map);
-        by_source_.assign(keys.size(), {});
-        const Linearization l = matcher_.linearize(graph_.scans[k].points(), map, pose,
-                                                   first ? kWide : kFineStage, 1, &by_source_);
-        if (l.matches < kLeastMatches) continue;
-        graph_.add_scan_edges(static_cast<std::uint32_t>(k), pose, keys, by_source_,
-                              matcher_.information(), newest_in_map());
-    }
+    constexpr std::size_t kTogether = 64;  // keys
+    const std::size_t begin = std::max<std::size_t>(held_, 1);
+    const std::size_t count = graph_.size() > begin ? graph_.size() - begin : 0;
+    std::vector<std::vector<PoseEdge>> found((count + kTogether - 1) / kTogether);
+    ThreadCrew crew(threads_);
+    crew(found.size(), [&](std::size_t piece) {
+        std::vector<GraphReach> reached;
+        std::vector<std::uint32_t> keys;
+        std::vector<Linearization> by_source;
+        PointMap map;
+        const std::size_t first = begin + piece * kTogether;
+        for (std::size_t k = first; k < std::min(first + kTogether, graph_.size()); ++k) {
+            graph_.reach(k, reached, 2.0 * kOldKeysWay);
+            const Pose& pose = graph_.poses[k].pose;
+            select_keys(graph_, k, pose, newest_in_map(), reached, 2.0 * kOldKeysWay, keys);
+            build_map(graph_, keys, pose, kMapHalf, map);
+            by_source.assign(keys.size(), {});
+            const Linearization l =
+                matcher_.linearize(graph_.scans[k].points(), map, pose,
+                                   first_pass ? kWide : kFineStage, 1, &by_source);
+            if (l.matches < kLeastMatches) continue;
+            graph_.find_scan_edges(static_cast<std::uint32_t>(k), pose, keys, by_source,
+                                   matcher_.information(), newest_in_map(), found[piece]);
+        }
+    });
+    for (const std::vector<PoseEdge>& edges : found)
+        graph_.edges.insert(graph_.edges.end(), edges.begin(), edges.end());
     solve(graph_.poses, graph_.edges, solution(3, true));
 }
 
@@ -356,8 +369,8 @@ RegistrationFigures Registration::Impl::figures() const {
     return figures;
 }
 
-Registration::Registration(const RegistrationParams& params)
-    : impl_(std::make_unique<Impl>(params)) {}
+Registration::Registration(const RegistrationParams& params, int threads)
+    : impl_(std::make_unique<Impl>(params, threads)) {}
 Registration::~Registration() = default;
 Registration::Registration(Registration&&) noexcept = default;
 Registration& Registration::operator=(Registration&&) noexcept = default;

@@ -22,8 +22,9 @@ namespace hitos {
 
 class Registration::Impl {
   public:
-    explicit Impl(const RegistrationParams& params)
+    Impl(const RegistrationParams& params, int threads)
         : params_(params),
+          threads_(threads),
           matcher_(params.point_sigma_m),
           step_matcher_(params, matcher_),
           closer_(params, matcher_),
@@ -104,9 +105,10 @@ class Registration::Impl {
     double squared_distance(const PoseEdge& edge) const;
     std::size_t newest_in_map() const { return static_cast<std::size_t>(params_.key_scans); }
     void correct(const std::vector<KeyPose>& keys_before);
-    void register_anew(bool first);
+    void register_anew(bool first_pass);
 
     RegistrationParams params_;
+    int threads_;
     ScanMatcher matcher_;
     StepMatcher step_matcher_;
     LoopCloser closer_;

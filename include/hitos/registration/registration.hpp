@@ -46,11 +46,13 @@ struct RegistrationFigures {
     std::vector<SecondTour> later_tours = {};
 };
 
-/// Takes a tour scan by scan. Deterministic: nothing is drawn at random, one thread works.
+/// Takes a tour scan by scan. Deterministic: nothing is drawn at random, and several threads do
+/// what one does, to the last bit.
 class Registration {
   public:
-    /// Throws ConfigError where the changes by hand are none.
-    explicit Registration(const RegistrationParams& params);
+    /// `threads` 0: as many as the machine has; only finish() makes use of several. Throws
+    /// ConfigError where the changes by hand are none.
+    explicit Registration(const RegistrationParams& params, int threads = 1);
     ~Registration();
     Registration(Registration&&) noexcept;
     Registration& operator=(Registration&&) noexcept;

@@ -7,10 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <future>
 #include <memory>
 #include <span>
 #include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "hitos/base/geometry.hpp"
 #include "hitos/base/translatable.hpp"
@@ -53,6 +56,20 @@ void measure_crispness(const RunEvidence& run, const Trajectory& path,
     if (best.cells_per_point() == 0.0) return;  // without points it says nothing
     quality.cells_per_point = best.cells_per_point();
     quality.odometry_cells_per_point = odometry.cells_per_point();
+}
+
+/// What there is to doubt, on a thread of its own where the run may have one.
+std::future<std::vector<TourFinding>> doubted(const RunEvidence& run) {
+    const auto doubts = [&examination = *run.examination, told = run.reader.findings()] {
+        return examination.findings(told);
+    };
+    if (run.configuration.run.threads != 1) {
+        try {
+            return std::async(std::launch::async, doubts);
+        } catch (const std::system_error&) {  // there are too many threads
+        }
+    }
+    return std::async(std::launch::deferred, doubts);
 }
 
 /// Whether the path is the odometry's but for a few centimetres: where the odometry is right no map
@@ -267,10 +284,11 @@ std::vector<Advice> warnings(const RunEvidence& run) {
 RunQuality judge(const RunEvidence& run, const Trajectory& path,
                  const std::function<bool()>& stop) {
     RunQuality quality;
+    std::future<std::vector<TourFinding>> doubts;
+    if (run.examination != nullptr && !(stop && stop())) doubts = doubted(run);
     measure_crispness(run, path, stop, quality);
     quality.warnings = warnings(run);
-    if (run.examination != nullptr && !(stop && stop()))
-        quality.findings = run.examination->findings(run.reader.findings());
+    if (doubts.valid()) quality.findings = doubts.get();
     if (run.registration != nullptr) {
         quality.registration = run.registration->figures();
         quality.loops =

@@ -71,7 +71,8 @@ void Algoritmo::begin() {
         return reading;
     });
     if (needs_registration(configuration_.filter))
-        state_.registration = std::make_unique<Registration>(configuration_.registration);
+        state_.registration = std::make_unique<Registration>(configuration_.registration,
+                                                             configuration_.run.threads);
     step_grid_.clear();
     step_grid_stale_ = false;
     step_grid_redrawn_ = 0;

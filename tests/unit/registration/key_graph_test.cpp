@@ -83,14 +83,15 @@ TEST(KeyGraph, TheLocalMapHasTheNewestKeysAndTheNearestOfAnEarlierPassage) {
 TEST(KeyGraph, AKeyThatWouldMoveTheScanByMoreThanHalfAMetreMakesNoEdge) {
     // A third of a radian counts a metre.
     const auto edges_where = [](const Eigen::Vector3d& step) {
-        KeyGraph graph = line_of(2, 0.01, 1e-4);
+        const KeyGraph graph = line_of(2, 0.01, 1e-4);
         Linearization seen;
         seen.h = 1e6 * Eigen::Matrix3d::Identity();
         seen.b = -seen.h * step;
         seen.matches = 20;
         const std::vector<std::uint32_t> sources{0};
-        graph.add_scan_edges(1, graph.poses[1].pose, sources, std::vector{seen}, 1.0, 0);
-        return graph.edges;
+        std::vector<PoseEdge> edges;
+        graph.find_scan_edges(1, graph.poses[1].pose, sources, std::vector{seen}, 1.0, 0, edges);
+        return edges;
     };
     const auto near = edges_where({0.3, -0.1, 0.03});
     ASSERT_EQ(near.size(), 1U);
