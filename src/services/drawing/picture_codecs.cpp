@@ -128,6 +128,25 @@ std::optional<Pixels> decoded(std::string_view bytes, const SizeCheck& check) {
     return decoded_pnm(bytes, check);
 }
 
+namespace {
+
+/// Row by row: large pictures are not copied whole.
+bool encode_rows(const Png& png, const cv::Mat& image) {
+    cv::Mat row;
+    for (int y = 0; y < image.rows; ++y) {
+        if (image.channels() > 1) {
+            cv::cvtColor(image.row(y), row, cv::COLOR_BGR2RGB);
+        } else {
+            row = image.row(y);
+        }
+        const int result = spng_encode_row(png.get(), row.data, row.total() * row.elemSize());
+        if (result != SPNG_EOI && !is_done(result)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
 std::string png_of(const cv::Mat& image, std::optional<int> compression) {
     const Png png = png_context(SPNG_CTX_ENCODER);
     spng_ihdr head{};
@@ -135,19 +154,18 @@ std::string png_of(const cv::Mat& image, std::optional<int> compression) {
     head.height = static_cast<std::uint32_t>(image.rows);
     head.bit_depth = 8;
     head.color_type = image.channels() == 1 ? SPNG_COLOR_TYPE_GRAYSCALE : SPNG_COLOR_TYPE_TRUECOLOR;
-    cv::Mat pixels = image.isContinuous() ? image : image.clone();
-    if (image.channels() > 1) cv::cvtColor(image, pixels, cv::COLOR_BGR2RGB);
     // Maps are of long runs of one grey.
     const auto set = [&](spng_option option, int value) {
         return is_done(spng_set_option(png.get(), option, value));
     };
-    const bool whole =
-        set(SPNG_ENCODE_TO_BUFFER, 1) && set(SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_SUB) &&
-        set(SPNG_IMG_COMPRESSION_STRATEGY, Z_RLE) &&
-        set(SPNG_IMG_COMPRESSION_LEVEL, compression.value_or(Z_BEST_SPEED)) &&
-        is_done(spng_set_ihdr(png.get(), &head)) &&
-        is_done(spng_encode_image(png.get(), pixels.data, pixels.total() * pixels.elemSize(),
-                                  SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE));
+    const bool whole = set(SPNG_ENCODE_TO_BUFFER, 1) &&
+                       set(SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_SUB) &&
+                       set(SPNG_IMG_COMPRESSION_STRATEGY, Z_RLE) &&
+                       set(SPNG_IMG_COMPRESSION_LEVEL, compression.value_or(Z_BEST_SPEED)) &&
+                       is_done(spng_set_ihdr(png.get(), &head)) &&
+                       is_done(spng_encode_image(png.get(), nullptr, 0, SPNG_FMT_PNG,
+                                                 SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE)) &&
+                       encode_rows(png, image);
     std::size_t size = 0;
     int error = 0;
     const std::unique_ptr<void, decltype(&std::free)> bytes(

@@ -107,14 +107,15 @@ void end_where_asked(const FinishedRun& finished) {
     if (finished.stopped()) throw Error(left_out());
 }
 
-/// The grid as .png and .jpg, with the path over it.
+/// The grid as .png, a pixel a cell at least, and as .jpg to look at, with the path over it.
 template <class MakeGrid, class PathOf>
 RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
     const auto write = [stem, make_grid, path_of](const FinishedRun& finished,
                                                   const Folder& folder) {
         constexpr std::size_t kDrawnAtOnce = 4'000'000;  // pixels
+        constexpr int kJpgSide = 4096;                   // pixels, more than screens have
         const Grid& grid = make_grid(finished);
-        const MapImage image = map_image(grid);
+        MapImage image = map_image(grid);
         if (image.picture.grey.size() > kDrawnAtOnce) end_where_asked(finished);
         PictureStyle style;
         style.scale = picture_scale(image.picture);
@@ -123,10 +124,9 @@ RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
         for (const StampedPose& stamped : path_of(finished)) {
             style.path.push_back({stamped.pose.x, stamped.pose.y});
         }
-        for (const char* kind : {"png", "jpg"}) {
-            write_picture(fitted(image, kind), style,
-                          folder / numbered(stem + "." + kind, finished));
-        }
+        write_picture(fitted(image, "png"), style, folder / numbered(stem + ".png", finished));
+        write_picture(shrunk(std::move(image), kJpgSide), style,
+                      folder / numbered(stem + ".jpg", finished));
     };
     return output({stem + ".png", stem + ".jpg"}, write);
 }
