@@ -67,6 +67,7 @@ void KeyGraph::reach(std::size_t from, std::vector<GraphReach>& reached, double 
         open.pop();
         if (variance > reached[i].variance_m2 || reached[i].way_m >= way_m) continue;
         const auto go = [&](std::size_t j, double way, double variance_m2, double variance_rad2) {
+            if (reached[j].variance_m2 <= variance) return;  // it has its way
             const double dx = poses[j].pose.x - poses[from].pose.x;
             const double dy = poses[j].pose.y - poses[from].pose.y;
             const double there = variance + variance_m2 + variance_rad2 * (dx * dx + dy * dy);
@@ -108,10 +109,18 @@ void KeyGraph::find_scan_edges(std::uint32_t to, const Pose& pose,
     }
 }
 
+std::vector<std::uint32_t> near_keys(const KeyGraph& graph, std::span<const GraphReach> reached,
+                                     double way_m, const Pose& at, double distance) {
+    std::vector<std::uint32_t> near;
+    for (std::uint32_t j = 0; j < reached.size(); ++j) {
+        if (reached[j].way_m < way_m && distance_m(graph.poses[j].pose, at) < distance)
+            near.push_back(j);
+    }
+    return near;
+}
+
 void select_keys(const KeyGraph& graph, std::size_t end, const Pose& at, std::size_t newest,
-                 std::span<const GraphReach> reached, double way_m,
-                 std::vector<std::uint32_t>& selected) {
-    constexpr double kNear = 6.0;  // [m]
+                 std::span<const std::uint32_t> near, std::vector<std::uint32_t>& selected) {
     selected.clear();
     const std::size_t begin = graph.part_begin(std::min(end, graph.size() - 1));
     const std::size_t first_new = std::max(begin, end > newest ? end - newest : 0);
@@ -119,11 +128,10 @@ void select_keys(const KeyGraph& graph, std::size_t end, const Pose& at, std::si
         selected.push_back(static_cast<std::uint32_t>(j));
     }
     std::vector<std::pair<double, std::uint32_t>> older;
-    for (std::size_t j = 0; j < std::min(first_new, reached.size()); ++j) {
-        if (reached[j].way_m >= way_m) continue;
-        const Pose& pose = graph.poses[j].pose;
-        const double distance = std::hypot(pose.x - at.x, pose.y - at.y);
-        if (distance < kNear) older.emplace_back(distance, static_cast<std::uint32_t>(j));
+    for (const std::uint32_t j : near) {
+        if (j >= first_new) break;
+        const double distance = distance_m(graph.poses[j].pose, at);
+        if (distance < kNearKey) older.emplace_back(distance, j);
     }
     const std::size_t kept = std::min(older.size(), newest / 2);
     std::partial_sort(older.begin(), older.begin() + static_cast<std::ptrdiff_t>(kept),

@@ -82,12 +82,18 @@ inline double distance_m(const Pose& a, const Pose& b) {
     return std::hypot(a.x - b.x, a.y - b.y);
 }
 
+/// [m] How far from a map's middle older keys may be that take part in it.
+inline constexpr double kNearKey = 6.0;
+
+/// Of the keys that `reached` says are less than `way_m` away along the graph those that lie less
+/// than `distance` from a pose, ascending.
+std::vector<std::uint32_t> near_keys(const KeyGraph& graph, std::span<const GraphReach> reached,
+                                     double way_m, const Pose& at, double distance);
+
 /// Which keys make the map about `at`: the `newest` keys before `end` of its part, and of older
-/// ones that `reached` says are less than `way_m` away along the graph the nearest ones, half as
-/// many.
+/// ones that are `near` along the graph, ascending, the nearest ones within kNearKey, half as many.
 void select_keys(const KeyGraph& graph, std::size_t end, const Pose& at, std::size_t newest,
-                 std::span<const GraphReach> reached, double way_m,
-                 std::vector<std::uint32_t>& selected);
+                 std::span<const std::uint32_t> near, std::vector<std::uint32_t>& selected);
 
 /// Puts those keys' points into a map about `centre`; a point's source is its key's place in
 /// `selected`.

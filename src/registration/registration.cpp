@@ -142,7 +142,8 @@ void Registration::Impl::learn(const DrivenWay& way, const Guess& guess, const P
 
 void Registration::Impl::refresh_map(const Pose& about) {
     if (!map_stale_) return;
-    select_keys(graph_, graph_.size(), about, newest_in_map(), reached_, kOldKeysWay, map_keys_);
+    select_keys(graph_, graph_.size(), about, newest_in_map(),
+                near_keys(graph_, reached_, kOldKeysWay, about, kNearKey), map_keys_);
     build_map(graph_, map_keys_, about, kMapHalf, map_);
     map_stale_ = false;
 }
@@ -288,14 +289,19 @@ void Registration::Impl::finish(bool another_follows) {
     if (graph_.size() < 2) return;
     const std::vector<KeyPose> before = graph_.poses;
     solve(graph_.poses, graph_.edges, solution(10, true));
-    for (int pass = 0; pass < params_.final_passes; ++pass) register_anew(pass == 0);
+    std::vector<std::vector<std::uint32_t>> near;  // of each key, by the first pass
+    for (int pass = 0; pass < params_.final_passes; ++pass) register_anew(near);
     weigh_loops();
     correct(before);
     closer_.forget();
 }
 
-/// Every key's scan against its neighbours as they lie now.
-void Registration::Impl::register_anew(bool first_pass) {
+/// Every key's scan against its neighbours as they lie now. What is near along the graph, and not
+/// far off, the first time finds out: the next ones move keys by centimetres.
+void Registration::Impl::register_anew(std::vector<std::vector<std::uint32_t>>& near) {
+    constexpr double kMayCome = 1.0;  // [m]
+    const bool first_pass = near.empty();
+    near.resize(graph_.size());
     constexpr MatchStage kWide{0.4, 0.1, true};
     std::erase_if(graph_.edges, [&](const PoseEdge& edge) {
         return (edge.kind == EdgeKind::scan || edge.kind == EdgeKind::loop) && edge.to >= held_;
@@ -312,9 +318,13 @@ void Registration::Impl::register_anew(bool first_pass) {
         PointMap map;
         const std::size_t first = begin + piece * kTogether;
         for (std::size_t k = first; k < std::min(first + kTogether, graph_.size()); ++k) {
-            graph_.reach(k, reached, 2.0 * kOldKeysWay);
             const Pose& pose = graph_.poses[k].pose;
-            select_keys(graph_, k, pose, newest_in_map(), reached, 2.0 * kOldKeysWay, keys);
+            if (first_pass) {
+                constexpr double kWay = 2.0 * kOldKeysWay;
+                graph_.reach(k, reached, kWay);
+                near[k] = near_keys(graph_, reached, kWay, pose, kNearKey + kMayCome);
+            }
+            select_keys(graph_, k, pose, newest_in_map(), near[k], keys);
             build_map(graph_, keys, pose, kMapHalf, map);
             by_source.assign(keys.size(), {});
             const Linearization l =

@@ -61,7 +61,8 @@ TEST(KeyGraph, NothingLeadsOverACutButALoop) {
     EXPECT_EQ(reach[5].way_m, GraphReach::kNever);
     EXPECT_EQ(reach[1].way_m, GraphReach::kNever);
     std::vector<std::uint32_t> selected;
-    select_keys(graph, 12, graph.poses[11].pose, 30, reach, 6.0, selected);
+    const auto near = [&](const Pose& at) { return near_keys(graph, reach, 6.0, at, kNearKey); };
+    select_keys(graph, 12, graph.poses[11].pose, 30, near(graph.poses[11].pose), selected);
     EXPECT_EQ(selected, (std::vector<std::uint32_t>{6, 7, 8, 9, 10, 11}));
 
     graph.join(3, 9);
@@ -76,7 +77,8 @@ TEST(KeyGraph, TheLocalMapHasTheNewestKeysAndTheNearestOfAnEarlierPassage) {
     std::vector<GraphReach> reach;
     graph.reach(39, reach);
     std::vector<std::uint32_t> keys;
-    select_keys(graph, 40, graph.poses[39].pose, 8, reach, 6.0, keys);
+    const Pose& at = graph.poses[39].pose;
+    select_keys(graph, 40, at, 8, near_keys(graph, reach, 6.0, at, kNearKey), keys);
     EXPECT_EQ(keys, (std::vector<std::uint32_t>{32, 33, 34, 35, 36, 37, 38, 39, 0, 1, 2, 3}));
 }
 
