@@ -30,6 +30,7 @@ constexpr double kKeySlipRad = 0.002;  // [rad]
 }  // namespace
 
 RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control> controls) {
+    clock_.begin();
     corrections_.clear();
     RegisteredStep out;
     out.scan = placed_.size();
@@ -45,6 +46,7 @@ RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control
     const bool moved = way.moved() || slipped;
     if (first || moved || wanted || begin != nullptr) {  // else nothing to match, and no key due
         find_surface_points(scan, params_.range_m, points_);
+        clock_.ends(RegistrationStage::points);
         if (begin != nullptr) {
             leave_first_tour();
         } else if (!first && moved) {
@@ -57,16 +59,20 @@ RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control
     const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
     placed_.push_back({newest, between(graph_.poses[newest].pose, now_)});
     if (out.key) {
+        clock_.ends(RegistrationStage::matching);
         std::vector<KeyPose> before;  // of the first that moves the graph; empty: nothing has
         edit_graph(before);
+        clock_.ends(RegistrationStage::closing);
         if (params_.loops && newest > static_cast<std::uint32_t>(params_.key_scans)) {
             if (newest % kLoopEvery == 0) close_loop(before);
             if (!carried_.empty()) find_piece(before);
         }
         if (!before.empty()) correct(before);
+        clock_.ends(RegistrationStage::closing);
     }
     out.keys = graph_.poses;
     out.edges = graph_.edges;
+    clock_.ends(RegistrationStage::matching);
     return out;
 }
 
@@ -196,6 +202,7 @@ void Registration::Impl::close_loop(std::vector<KeyPose>& before) {
     const std::size_t newest = graph_.size() - 1;
     graph_.reach(newest, reached_);
     const auto found = closer_.search(graph_, reached_, refused_);
+    clock_.ends(RegistrationStage::search);
     if (!found) return;
     LoopRecord record = found->record;
     std::vector<KeyPose> now = graph_.poses;
@@ -284,6 +291,7 @@ void Registration::Impl::correct(const std::vector<KeyPose>& keys_before) {
 }
 
 void Registration::Impl::finish(bool another_follows) {
+    clock_.begin();
     corrections_.clear();
     if (!another_follows) editor_.check_end(placed_.size());
     if (graph_.size() < 2) return;
@@ -294,6 +302,7 @@ void Registration::Impl::finish(bool another_follows) {
     weigh_loops();
     correct(before);
     closer_.forget();
+    clock_.ends(RegistrationStage::smoothing);
 }
 
 /// Every key's scan against its neighbours as they lie now. What is near along the graph, and not
@@ -400,6 +409,12 @@ RegisteredStep Registration::add(const Scan& scan, std::span<const Control> cont
 }
 std::optional<PathCorrection> Registration::correction() const {
     return impl_->correction();
+}
+void Registration::time_stages() {
+    impl_->clock().set_going();
+}
+const RegistrationClock::Seconds& Registration::stages() const {
+    return impl_->clock().seconds();
 }
 void Registration::finish(bool another_follows) {
     impl_->finish(another_follows);

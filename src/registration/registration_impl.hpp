@@ -42,6 +42,7 @@ class Registration::Impl {
     void drop_pictures() { closer_.rest(); }
     std::vector<Pose> path() const;
 
+    RegistrationClock& clock() { return clock_; }
     const KeyGraph& graph() const { return graph_; }
     const std::vector<LoopRecord>& loops() const { return loops_; }
     const std::vector<LoopRecord>& refused_loops() const { return refused_; }
@@ -138,6 +139,7 @@ class Registration::Impl {
     std::vector<LoopRecord> loops_;
     std::vector<LoopRecord> refused_;
     RegistrationFigures figures_;
+    RegistrationClock clock_;
 };
 
 }  // namespace hitos

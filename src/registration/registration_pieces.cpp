@@ -55,6 +55,7 @@ void Registration::Impl::find_piece(std::vector<KeyPose>& before) {
     const std::size_t newest = graph_.size() - 1;
     if (newest < carried_.back().query) return;
     const auto found = closer_.search_piece(graph_, carried_.back(), refused_);
+    clock_.ends(RegistrationStage::search);
     if (!found) return;
     LoopRecord record = found->record;
     record.refused_from = editor_.refuses(graph_, *found);

@@ -56,6 +56,7 @@ struct RunOptions {
     std::string distances;
     std::string figures;
     std::string hashes;
+    bool times = false;
     bool uncertainty = false;
     bool strict = false;
     std::optional<std::size_t> grid_of;
@@ -66,6 +67,32 @@ struct RunOptions {
 };
 
 constexpr int kNotWhole = 2;  // the program's status
+
+/// Processor seconds, and their share of all.
+void tell_times(const RunTimes& times, std::uint64_t scans, const Report& report) {
+    double told = times.before;
+    report.say("{:<28}{:>10}{:>8}{:>12}\n", "processor time", "s", "%", "us/scan");
+    const auto say = [&](const std::string& name, double seconds) {
+        report.say("{:<28}{:>10.3f}{:>8.1f}{:>12.1f}\n", name, seconds, 100.0 * seconds / times.all,
+                   1e6 * seconds / static_cast<double>(scans));
+    };
+    say("before the first scan", times.before);
+    for (std::size_t i = 0; i < kRunStages.size(); ++i) {
+        say(kRunStages.at(i), times.stages.at(i));
+        told += times.stages.at(i);
+        if (!times.registration || i != static_cast<std::size_t>(RunStage::registration)) continue;
+        for (std::size_t part = 0; part < kRegistrationStages.size(); ++part)
+            say(fmt::format("  {}", kRegistrationStages.at(part)), times.registration->at(part));
+    }
+    say("judging", times.judging);
+    told += times.judging;
+    for (const RunTimes::File& file : times.files) {
+        say(file.name, file.seconds);
+        told += file.seconds;
+    }
+    say("other threads", times.all - told);
+    say("all", times.all);
+}
 
 void tell_summary(const RunSummary& summary, const std::string& folder, const Report& report) {
     report.say("{} in {:.1f} s of tour, {} and {}\n", plural(summary.scans, "scan"),
@@ -269,6 +296,7 @@ void run(const RunOptions& options) {
     run_options.uncertainty = options.uncertainty;
     run_options.grid_of = options.grid_of;
     run_options.figures = !options.figures.empty();
+    run_options.time_stages = options.times;
     std::optional<OdometryGridAhead> odometry_grid;
     if (configuration.run.threads != 1 && std::thread::hardware_concurrency() > 1) {
         odometry_grid.emplace(configuration.grid);
@@ -341,6 +369,7 @@ void run(const RunOptions& options) {
     files.finish(summary.files.size());
     Report report(options.json);
     tell_summary(summary, options.out, report);
+    if (summary.times) tell_times(*summary.times, summary.scans, report);
     if (report.is_json()) {
         report.object() = {{"folder", options.out}};
         if (!suited.empty()) report.object()["suited_preset"] = suited;
@@ -420,6 +449,9 @@ void add_run(CLI::App& program) {
                      "(docs/determinism.md); hitos-cli compare names the first scan in which two "
                      "such files differ")
         ->check(&complaint_of_output);
+    command->add_flag("--times", options->times,
+                      "Say where the processor time went: reading, features, registration and its "
+                      "parts, filter, files; in summary.json too, under times");
     command->add_option("--write", options->write,
                         "Write further files (docs/formats.md), by their names or these words with "
                         "commas between, or all: " +

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/thread_clock.hpp"
 
 namespace hitos {
 namespace {
@@ -32,9 +33,10 @@ double cells(const Trajectory& path, double resolution_m) {
 std::vector<Message> OutputCrew::write(std::span<const RunOutput* const> outputs, int threads) {
     reasons_.assign(outputs.size(), Message());
     failed_.assign(outputs.size(), 0);
+    seconds_.assign(outputs.size(), 0.0);
     for (next_ = 0; next_ < outputs.size() && outputs[next_]->essential; ++next_) {
         tell(*outputs[next_]);
-        reasons_[next_] = outputs[next_]->write(finished_, folder_);
+        write_timed(*outputs[next_], next_);
     }
     const int count = workers(threads);
     if (count == 1) {
@@ -86,7 +88,7 @@ void OutputCrew::write_one(const RunOutput& output, std::size_t place, Attempt a
     try {
         failed_[place] = 0;
         if (output.rereads && finished_.stopped()) throw Error(left_out());
-        reasons_[place] = output.write(finished_, folder_);
+        write_timed(output, place);
     } catch (const std::exception& error) {  // of a library too
         if (output.essential) throw;
         failed_[place] = 1;
@@ -97,6 +99,12 @@ void OutputCrew::write_one(const RunOutput& output, std::size_t place, Attempt a
         }
         reasons_[place] = message_of(error);
     }
+}
+
+void OutputCrew::write_timed(const RunOutput& output, std::size_t place) {
+    const double began = thread_seconds();
+    reasons_[place] = output.write(finished_, folder_);
+    seconds_[place] += thread_seconds() - began;
 }
 
 void OutputCrew::tell(const RunOutput& output) {

@@ -29,6 +29,8 @@ class OutputCrew {
     /// throws. `threads` 0: as many as the machine has; never more than the memory of a few grids
     /// allows.
     std::vector<Message> write(std::span<const RunOutput* const> outputs, int threads);
+    /// Processor time of each one's writing [s], in the order of what was written.
+    const std::vector<double>& seconds() const { return seconds_; }
 
   private:
     enum class Attempt { first, last };
@@ -36,6 +38,7 @@ class OutputCrew {
     void work(std::span<const RunOutput* const> outputs, Attempt attempt);
     /// Where the last attempt throws it leaves no file, and says why.
     void write_one(const RunOutput& output, std::size_t place, Attempt attempt);
+    void write_timed(const RunOutput& output, std::size_t place);
     int workers(int threads) const;
     void tell(const RunOutput& output);
 
@@ -47,6 +50,7 @@ class OutputCrew {
     std::atomic<bool> stopped_ = false;
     std::vector<Message> reasons_;  // each worker writes those of its own
     std::vector<char> failed_;      // likewise
+    std::vector<double> seconds_;   // likewise
 
     std::mutex mutex_;  // guards all below
     std::size_t told_of_ = 0;

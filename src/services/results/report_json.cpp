@@ -2,6 +2,8 @@
 #include "report_json.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -10,6 +12,29 @@
 namespace hitos {
 
 using nlohmann::ordered_json;
+
+namespace {
+
+template <std::size_t kStages>
+ordered_json json_of(const std::array<const char*, kStages>& names,
+                     const std::array<double, kStages>& seconds) {
+    ordered_json json;
+    for (std::size_t i = 0; i < kStages; ++i) json[names.at(i)] = seconds.at(i);
+    return json;
+}
+
+}  // namespace
+
+ordered_json json_of(const RunTimes& times) {
+    ordered_json json{{"before_s", times.before}, {"stages_s", json_of(kRunStages, times.stages)}};
+    if (times.registration)
+        json["registration_s"] = json_of(kRegistrationStages, *times.registration);
+    json["judging_s"] = times.judging;
+    json["files_s"] = ordered_json::object();
+    for (const RunTimes::File& file : times.files) json["files_s"][file.name] = file.seconds;
+    json["all_s"] = times.all;
+    return json;
+}
 
 ordered_json json_of(const std::optional<double>& figure, const Measure& measure) {
     if (!figure) return {};

@@ -9,6 +9,7 @@
 #include "hitos/capture/tour_examination.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/services/evaluation/run_measures.hpp"
+#include "hitos/services/results/run_times.hpp"
 
 namespace hitos {
 
@@ -17,6 +18,8 @@ nlohmann::ordered_json json_of(const std::optional<double>& figure, const Measur
 
 /// Its word, its number and its sentences in English.
 nlohmann::ordered_json json_of(const TourFinding& finding);
+
+nlohmann::ordered_json json_of(const RunTimes& times);
 
 /// The counts, but for the scans, and the first `examples` damaged lines.
 nlohmann::ordered_json json_of(const ReadReport& report,

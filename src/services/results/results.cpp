@@ -14,6 +14,7 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/thread_clock.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/evaluation/reference_fit.hpp"
 #include "hitos/slam/filters.hpp"
@@ -141,8 +142,11 @@ void write_files(const FinishedRun& finished, RunSummary& summary, const StagedF
     }
     const int threads = finished.run.configuration().run.threads;
     const std::size_t count = wanted.size() + 1;  // the summary too
-    const std::vector<Message> reasons =
-        OutputCrew(finished, folder.path(), told, count).write(wanted, threads);
+    OutputCrew crew(finished, folder.path(), told, count);
+    const std::vector<Message> reasons = crew.write(wanted, threads);
+    for (std::size_t i = 0; summary.times && i < wanted.size(); ++i) {
+        summary.times->files.push_back({wanted[i]->files(finished).front(), crew.seconds()[i]});
+    }
     // Once more after all that may have read the tour again.
     if (told) told({kSummaryFile, count, count});
     std::vector<NotWritten> not_written;
@@ -289,6 +293,7 @@ std::string to_json(const RunSummary& summary, double seconds) {
         json["suitability"]["advice"].push_back(advice.words());
     json["quality"] = json_of(summary.quality);
     state(summary.figures, json);
+    if (summary.times) json["times"] = json_of(*summary.times);
     json["not_written"] = ordered_json::array();
     for (const NotWritten& missing : summary.not_written) {
         json["not_written"].push_back(
@@ -318,66 +323,6 @@ std::string to_json(std::span<const MeasuredDistance> distances) {
     return json_text(json) + "\n";
 }
 
-void prepare_output_folder(const std::filesystem::path& folder) {
-    made_output_folder(folder);
-    // Destroyed without commit, the probe leaves nothing behind.
-    AtomicFile(folder / ".hitos-probe").write("");
-}
-
-namespace {
-
-/// The files of the run whose results are in the folder: those that its summary names, or (of a
-/// version that named none) all that a run may write. Without a summary none: whatever their names,
-/// they are somebody's.
-class FormerFiles {
-  public:
-    explicit FormerFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
-
-    bool operator()(const std::string& name) {
-        if (name == kSummaryFile) return true;
-        if (!known_) read();
-        return by_name_ ? is_run_output(name) : known_->contains(name);
-    }
-
-  private:
-    void read() {
-        known_.emplace();
-        std::error_code problem;
-        const bool there = std::filesystem::is_regular_file(folder_ / kSummaryFile, problem);
-        // One that cannot be looked at is there.
-        if (!there && (!problem || problem == std::errc::no_such_file_or_directory)) return;
-        try {
-            const auto files = with_summary(folder_, [this](const nlohmann::json& json) {
-                return files_named(json, folder_ / kSummaryFile);
-            });
-            for (const WrittenFile& file : files) known_->insert(file.name);
-            by_name_ = files.empty();
-        } catch (const Error&) {
-            by_name_ = true;
-        }
-    }
-
-    std::filesystem::path folder_;
-    std::optional<std::set<std::string>> known_;
-    bool by_name_ = false;
-};
-
-}  // namespace
-
-bool is_results_file(const std::string& name) {
-    return name == kSummaryFile || is_run_output(name);
-}
-
-StagedFolder results_folder(const std::filesystem::path& folder) {
-    // Asked first before anything changes places, and then not read again.
-    return {folder,
-            {[former = std::make_shared<FormerFiles>(folder)](const std::string& name) {
-                 return (*former)(name);
-             },
-             is_results_file},
-            kSummaryFile};
-}
-
 RunSummary write_results(const Algoritmo& run, const References& references, double seconds,
                          StagedFolder& folder, const WritingObserver& told,
                          OdometryGridAhead* ahead, std::span<const std::string> also,
@@ -386,10 +331,18 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
     FinishedRun finished{
         run,   references, summary, run.best_trajectory(), run.filter().best_map(), {},
         ahead, also,       stop,    folder.target()};
+    const double began = thread_seconds();
     summary = summary_of(run, finished.map, finished.best, references, stop);
+    if (run.options().time_stages) {
+        summary.times.emplace(RunTimes{.before = run.seconds_before(), .stages = run.stages()});
+        summary.times->judging = thread_seconds() - began;
+        if (run.registration() != nullptr)
+            summary.times->registration = run.registration()->stages();
+    }
     finished.segments = run.line_extents().of(finished.map, finished.best);
     try {
         write_files(finished, summary, folder, told);
+        if (summary.times) summary.times->all = process_seconds();
         write_file(folder.path() / kSummaryFile, sealed(to_json(summary, seconds), kSummarySeal));
     } catch (const FileError& error) {
         // Nobody knows of the folder in which it really was.

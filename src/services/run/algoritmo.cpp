@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "hitos/base/error.hpp"
-#include "hitos/base/thread_clock.hpp"
 #include "hitos/base/translatable.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_examination.hpp"
@@ -58,7 +57,8 @@ Algoritmo::Algoritmo(Algoritmo&&) noexcept = default;
 Algoritmo& Algoritmo::operator=(Algoritmo&&) noexcept = default;
 
 void Algoritmo::begin() {
-    stages_ = {};
+    clock_ = {};
+    if (options_.time_stages) clock_.set_going();
     extractor_ = options_.extractor
                      ? options_.extractor()
                      : make_extractor(configuration_.extraction, configuration_.run.seed);
@@ -71,23 +71,18 @@ void Algoritmo::begin() {
         return reading;
     });
     if (needs_registration(configuration_.filter))
-        state_.registration = std::make_unique<Registration>(configuration_.registration,
-                                                             configuration_.run.threads);
+        state_.registration =
+            std::make_unique<Registration>(configuration_.registration, configuration_.run.threads);
+    if (state_.registration && options_.time_stages) state_.registration->time_stages();
     step_grid_.clear();
     step_grid_stale_ = false;
     step_grid_redrawn_ = 0;
     step_grid_change_ = {};
 }
 
-void Algoritmo::ends(RunStage stage) {
-    if (!options_.time_stages) return;
-    const double now = thread_seconds();
-    stages_[static_cast<std::size_t>(stage)] += now - std::exchange(stage_began_, now);
-}
-
 bool Algoritmo::step(AssociationRecord* record) {
     if (state_.finished) return false;
-    if (options_.time_stages) stage_began_ = thread_seconds();
+    clock_.begin();
     auto scan = reader_->next_scan();
     if (!scan) {
         state_.finished = true;
@@ -102,13 +97,13 @@ bool Algoritmo::step(AssociationRecord* record) {
         while (const std::optional<Odometria> reading = reader_->next_odometry()) {
             if (examination_) examination_->note(*reading);
         }
-        ends(RunStage::reading);
+        clock_.ends(RunStage::reading);
         finish(false);
-        ends(RunStage::rest);
+        clock_.ends(RunStage::rest);
         if (options_.stepped) options_.stepped(*this);
         return false;
     }
-    ends(RunStage::reading);
+    clock_.ends(RunStage::reading);
     state_.scan = std::move(*scan);
     state_.saw_points = state_.saw_points || !state_.scan.points.empty();
     state_.saw_landmarks = state_.saw_landmarks || !state_.scan.landmarks.empty();
@@ -121,10 +116,10 @@ bool Algoritmo::step(AssociationRecord* record) {
         extractor_->go_to(steps());  // wherever the run comes from
         extractor_->extract(state_.scan, state_.observation);
     }
-    ends(RunStage::features);
+    clock_.ends(RunStage::features);
     std::optional<RegisteredStep> registered;
     if (state_.registration) registered = state_.registration->add(state_.scan, step_controls_);
-    ends(RunStage::registration);
+    clock_.ends(RunStage::registration);
     Scan unseen;  // of a map that is held nothing is missing either
     unseen.time_s = state_.scan.time_s;
     try {
@@ -133,12 +128,12 @@ bool Algoritmo::step(AssociationRecord* record) {
     } catch (const std::bad_alloc& shortage) {
         throw Error(out_of_memory(shortage));
     }
-    ends(RunStage::filter);
+    clock_.ends(RunStage::filter);
     note_scan();
     if (options_.step_grid) draw_scan(registered && registered->key);
     if (state_.registration) take_correction();
     state_.online.push_back({state_.scan.stamp_s(), state_.filter->best_pose()});
-    ends(RunStage::rest);
+    clock_.ends(RunStage::rest);
     if (options_.stepped) options_.stepped(*this);
     return true;
 }
@@ -210,7 +205,7 @@ const Grid& Algoritmo::step_grid() const {
 void Algoritmo::finish(bool another_follows) {
     if (!state_.registration) return;
     state_.registration->finish(another_follows);
-    ends(RunStage::registration);
+    clock_.ends(RunStage::registration);
     take_correction();
 }
 

@@ -16,6 +16,7 @@
 #include "hitos/services/evaluation/quality.hpp"
 #include "hitos/services/evaluation/run_measures.hpp"
 #include "hitos/services/grid/odometry_grid.hpp"
+#include "hitos/services/results/run_times.hpp"
 #include "hitos/services/run/algoritmo.hpp"
 
 namespace hitos {
@@ -73,6 +74,7 @@ struct RunSummary : RunErrors {
     RunQuality quality;
     std::vector<NotWritten> not_written;
     std::vector<WrittenFile> files;  ///< by name; not the summary itself
+    std::optional<RunTimes> times;   ///< where the run's stages were timed
 };
 
 /// Of the run's best map and best path.

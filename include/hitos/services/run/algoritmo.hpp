@@ -105,7 +105,9 @@ class Algoritmo {
     const std::vector<std::shared_ptr<const Scan>>& key_scans() const { return state_.key_scans; }
     const Observation& observation() const { return state_.observation; }  ///< its features
     /// All 0 unless the options ask for it.
-    const StageSeconds& stages() const { return stages_; }
+    const StageSeconds& stages() const { return clock_.seconds(); }
+    /// Processor time of the program until there was this run [s].
+    double seconds_before() const { return seconds_before_; }
     /// Memory that its state takes, about.
     std::size_t state_bytes() const { return state_.bytes(); }
     /// Whether a sensor told landmarks so far, and no laser showed what is between them.
@@ -165,8 +167,6 @@ class Algoritmo {
     void note_scan();
     void draw_scan(bool key);
     void begin_second_tour();
-    /// What the thread did since it was asked before was of this stage.
-    void ends(RunStage stage);
     /// The end of a tour.
     void finish(bool another_follows);
     /// Carries a correction by registration, if there is one, to the filter and the grid.
@@ -185,8 +185,8 @@ class Algoritmo {
     mutable std::uint64_t step_grid_redrawn_ = 0;
     CellArea step_grid_change_;
     std::vector<Control> step_controls_;
-    StageSeconds stages_{};
-    double stage_began_ = 0.0;
+    RunClock clock_;
+    double seconds_before_ = process_seconds();
 };
 
 }  // namespace hitos

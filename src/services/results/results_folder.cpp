@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which files of a folder are those of a run that another one may take the place of.
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/services/results/results.hpp"
+#include "results_summary.hpp"
+#include "run_outputs.hpp"
+#include "written_files.hpp"
+
+namespace hitos {
+
+void prepare_output_folder(const std::filesystem::path& folder) {
+    made_output_folder(folder);
+    // Destroyed without commit, the probe leaves nothing behind.
+    AtomicFile(folder / ".hitos-probe").write("");
+}
+
+namespace {
+
+/// The files of the run whose results are in the folder: those that its summary names, or (of a
+/// version that named none) all that a run may write. Without a summary none: whatever their names,
+/// they are somebody's.
+class FormerFiles {
+  public:
+    explicit FormerFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    bool operator()(const std::string& name) {
+        if (name == kSummaryFile) return true;
+        if (!known_) read();
+        return by_name_ ? is_run_output(name) : known_->contains(name);
+    }
+
+  private:
+    void read() {
+        known_.emplace();
+        std::error_code problem;
+        const bool there = std::filesystem::is_regular_file(folder_ / kSummaryFile, problem);
+        // One that cannot be looked at is there.
+        if (!there && (!problem || problem == std::errc::no_such_file_or_directory)) return;
+        try {
+            const auto files = with_summary(folder_, [this](const nlohmann::json& json) {
+                return files_named(json, folder_ / kSummaryFile);
+            });
+            for (const WrittenFile& file : files) known_->insert(file.name);
+            by_name_ = files.empty();
+        } catch (const Error&) {
+            by_name_ = true;
+        }
+    }
+
+    std::filesystem::path folder_;
+    std::optional<std::set<std::string>> known_;
+    bool by_name_ = false;
+};
+
+}  // namespace
+
+bool is_results_file(const std::string& name) {
+    return name == kSummaryFile || is_run_output(name);
+}
+
+StagedFolder results_folder(const std::filesystem::path& folder) {
+    // Asked first before anything changes places, and then not read again.
+    return {folder,
+            {[former = std::make_shared<FormerFiles>(folder)](const std::string& name) {
+                 return (*former)(name);
+             },
+             is_results_file},
+            kSummaryFile};
+}
+
+}  // namespace hitos
