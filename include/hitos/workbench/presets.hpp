@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/services/evaluation/suitability.hpp"
 
 namespace hitos {
 
@@ -28,11 +29,10 @@ std::span<const Preset> presets();
 inline constexpr std::string_view kAutoPreset = "auto";
 
 /// What a world has where nobody chooses, what the recording of a robot has, what either has whose
-/// sensor tells landmarks by itself, and what a world of trees has.
+/// sensor tells landmarks by itself; a world of trees has kTreePreset.
 inline constexpr std::string_view kWorldPreset = "simulated";
 inline constexpr std::string_view kRobotPreset = "recorded";
 inline constexpr std::string_view kLandmarkPreset = "landmarks";
-inline constexpr std::string_view kTreePreset = "trees";
 
 /// The preset of a world file, of a log whose first scans are of landmarks, or of a log or
 /// recording whose beginning is of a format that robots write. Empty where the source is another

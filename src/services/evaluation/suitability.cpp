@@ -20,6 +20,7 @@ constexpr double kLongStep = 0.25;      // m
 constexpr double kStepPerSigma = 20.0;  // noise below a twentieth of the step covers no slip
 constexpr double kMuchScatter = 0.38;   // of dmax: with normal noise one wall in a few breaks
 constexpr double kManyUnmatched = 0.3;
+constexpr double kManyEmpty = 0.6;  // of recorded buildings up to 0.3, of an orchard 0.8
 
 }  // namespace
 
@@ -29,8 +30,12 @@ std::string Advice::words() const {
     return preset.empty() ? words : fmt::format("{} Try --preset {}.", words, preset);
 }
 
-void Suitability::note(std::span<const Control> controls, const Observation& seen,
+void Suitability::note(std::span<const Control> controls, bool points, const Observation& seen,
                        std::span<const Association> associations) {
+    if (points) {
+        ++with_points_;
+        if (seen.lines.empty() && seen.corners.empty()) ++empty_;
+    }
     const double way = driven_way(controls).path_m;
     if (way > 0.0) {
         way_m_ += way;
@@ -59,6 +64,8 @@ SuitabilityFigures Suitability::figures() const {
         figures.unmatched =
             static_cast<double>(observed_ - matched_) / static_cast<double>(observed_);
     }
+    if (with_points_ > 0)
+        figures.empty = static_cast<double>(empty_) / static_cast<double>(with_points_);
     return figures;
 }
 
@@ -73,6 +80,13 @@ std::vector<Advice> Suitability::advice(const Configuracion& configuration, bool
     const std::string_view preset = configuration.extraction.circles.find ? ""
                                     : simulated                           ? "simulated"
                                                                           : "recorded";
+    if (seen.empty > kManyEmpty && !configuration.extraction.circles.find) {
+        advice.push_back({HITOS_TEXT("Advice",
+                                     "%1 of the scans show no wall and no corner: of trees and "
+                                     "posts, which are round, landmarks are made where "
+                                     "features.circles is on."),
+                          fmt::format("{:.0f} %", 100.0 * seen.empty), kTreePreset});
+    }
     if (motion.model == "odometry" && seen.step_m > kLongStep &&
         seen.step_m > kStepPerSigma * sigma) {
         advice.push_back({HITOS_TEXT("Advice",

@@ -288,6 +288,7 @@ std::string to_json(const RunSummary& summary, double seconds) {
     json["suitability"] = {{"step_m", summary.suitability.step_m},
                            {"scatter_m", summary.suitability.scatter_m},
                            {"unmatched", summary.suitability.unmatched},
+                           {"empty", summary.suitability.empty},
                            {"advice", ordered_json::array()}};
     for (const Advice& advice : summary.advice)
         json["suitability"]["advice"].push_back(advice.words());

@@ -172,7 +172,8 @@ Message Algoritmo::out_of_memory(const std::bad_alloc& shortage) const {
 
 void Algoritmo::note_scan() {
     state_.line_extents.note(*state_.filter, state_.observation);
-    state_.suitability.note(step_controls_, state_.observation, state_.filter->associations());
+    state_.suitability.note(step_controls_, !state_.scan.points.empty(), state_.observation,
+                            state_.filter->associations());
     if (options_.uncertainty)
         state_.uncertainty.note(state_.scan.stamp_s(), state_.filter->best_map());
     state_.odometry.add(state_.scan.stamp_s(), step_controls_);
@@ -243,8 +244,8 @@ std::uint64_t Algoritmo::untouched_scans(const std::string& edits) const {
 std::vector<Advice> Algoritmo::advice() const {
     std::vector<Advice> advice =
         state_.suitability.advice(configuration_, reader_->format() == kWorldFormat);
-    if (state_.registration) {  // the preset to try is in use
-        for (Advice& reason : advice) reason.preset = {};
+    for (Advice& reason : advice) {  // the others' preset is in use
+        if (state_.registration && reason.preset != kTreePreset) reason.preset = {};
     }
     if (!state_.registration && !configuration_.registration.edits.empty()) {
         advice.push_back({HITOS_TEXT("Advice",

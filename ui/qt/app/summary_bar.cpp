@@ -124,7 +124,10 @@ void fill_chip(QFrame& frame, ParameterGroup card, const Configuracion& configur
     for (const ConfigParameter* parameter : rows_of(card, configuration)) {
         const QString value = shown_value(*parameter, configuration);
         all << label_of(*parameter) + ": " + value;
-        if (is_marked(*parameter, configuration)) marked << value;
+        // A word that is one of several says what it is of, a number or "On" does not.
+        if (is_marked(*parameter, configuration)) {
+            marked << (parameter->choices.size() > 2 ? value : label_of(*parameter) + ' ' + value);
+        }
         if (card == ParameterGroup::source && file.isEmpty()) file = value;
     }
     if (!file.isEmpty()) marked.prepend(file);

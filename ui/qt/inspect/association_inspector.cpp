@@ -26,7 +26,7 @@ QString kind_words(FeatureKind kind) {
 }  // namespace
 
 FeatureModel::FeatureModel(QObject* parent)
-    : FiguresModel({tr("No."), tr("Kind"), tr("ρ / range"), tr("θ / bearing"), tr("Outcome")},
+    : FiguresModel({tr("No."), tr("Kind"), tr("Outcome"), tr("ρ / range"), tr("θ / bearing")},
                    parent) {}
 
 void FeatureModel::set_features(const std::shared_ptr<const Snapshot>& snapshot,
@@ -89,8 +89,8 @@ QString FeatureModel::text(int row, int column) const {
 }
 
 CandidateModel::CandidateModel(QObject* parent)
-    : FiguresModel({tr("Landmark"), tr("ν ρ / range"), tr("ν θ / bearing"), tr("Distance"),
-                    tr("ln p"), tr("Standing")},
+    : FiguresModel({tr("Landmark"), tr("Standing"), tr("Distance"), tr("ν ρ / range"),
+                    tr("ν θ / bearing"), tr("ln p")},
                    parent) {}
 
 void CandidateModel::set_feature(const RecordedFeature* feature) {

@@ -24,7 +24,7 @@ class FeatureModel final : public FiguresModel {
     Q_OBJECT
 
   public:
-    enum Column { number, kind, first, second, outcome };
+    enum Column { number, kind, outcome, first, second };
 
     explicit FeatureModel(QObject* parent);
     /// As many associations as the observation has features, in the order of the filter.
@@ -49,7 +49,7 @@ class CandidateModel final : public FiguresModel {
     Q_OBJECT
 
   public:
-    enum Column { landmark, first, second, distance, log_likelihood, standing };
+    enum Column { landmark, standing, distance, first, second, log_likelihood };
 
     explicit CandidateModel(QObject* parent);
     void set_feature(const RecordedFeature* feature);

@@ -27,8 +27,8 @@ double sortable(const std::optional<double>& error_m) {
 }  // namespace
 
 RunsModel::RunsModel(QObject* parent)
-    : FiguresModel({tr("Run"), tr("Log"), tr("Scans"), tr("Landmarks"), tr("Path error"),
-                    tr("Map error"), tr("Time"), tr("Different from this run")},
+    : FiguresModel({tr("Run"), tr("Path error"), tr("Map error"), tr("Different from this run"),
+                    tr("Landmarks"), tr("Scans"), tr("Time"), tr("Log")},
                    parent) {}
 
 void RunsModel::set_runs(std::vector<ListedRun> runs, const Configuracion& base) {

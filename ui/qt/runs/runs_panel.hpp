@@ -21,7 +21,8 @@ class RunsModel final : public FiguresModel {
     Q_OBJECT
 
   public:
-    enum Column { name, log, scans, landmarks, path_error, map_error, seconds, different };
+    /// What tells runs apart first: a narrow column shows no more.
+    enum Column { name, path_error, map_error, different, landmarks, scans, seconds, log };
 
     explicit RunsModel(QObject* parent);
     /// What is different is told against `base`.

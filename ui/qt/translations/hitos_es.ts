@@ -95,6 +95,10 @@
         <source>Of a tour that was found in the map of the one before, what comes before a break in it (scan %1) was not: it lies beside that map.</source>
         <translation>De un recorrido que se encontró en el mapa del anterior, lo que viene antes de una ruptura en él (barrido %1) no se encontró: queda junto a ese mapa.</translation>
     </message>
+    <message>
+        <source>%1 of the scans show no wall and no corner: of trees and posts, which are round, landmarks are made where features.circles is on.</source>
+        <translation>El %1 de los barridos no muestra ninguna pared ni esquina: de árboles y postes, que son redondos, se hacen hitos donde features.circles está activado.</translation>
+    </message>
 </context>
 <context>
     <name>Associations</name>

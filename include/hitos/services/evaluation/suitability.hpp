@@ -19,7 +19,11 @@ struct SuitabilityFigures {
     double step_m = 0.0;     ///< mean way by odometry between scans, where the robot moved
     double scatter_m = 0.0;  ///< rms distance of the lines' points from their lines
     double unmatched = 0.0;  ///< share of observations that the best map did not know
+    double empty = 0.0;      ///< share of the scans with points that show no feature
 };
+
+/// The preset that makes landmarks of trees and posts.
+inline constexpr std::string_view kTreePreset = "trees";
 
 /// A reason to take another configuration.
 struct Advice {
@@ -34,8 +38,9 @@ struct Advice {
 /// Adds up the figures step by step.
 class Suitability {
   public:
-    /// One scan: what was driven since the one before, what was seen, what became of it.
-    void note(std::span<const Control> controls, const Observation& seen,
+    /// One scan: what was driven since the one before, whether it has `points`, what was seen, what
+    /// became of it.
+    void note(std::span<const Control> controls, bool points, const Observation& seen,
               std::span<const Association> associations);
     void clear() { *this = {}; }
 
@@ -46,6 +51,8 @@ class Suitability {
 
   private:
     std::uint64_t scans_ = 0;
+    std::uint64_t with_points_ = 0;
+    std::uint64_t empty_ = 0;
     std::uint64_t moves_ = 0;
     double way_m_ = 0.0;
     std::uint64_t points_ = 0;

@@ -14,6 +14,8 @@ struct Shown {
     double step_m = 0.1;
     double scatter_m = 0.002;
     int created = 1;  ///< of ten observations
+    int empty = 0;    ///< of ten scans
+    bool points = true;
 };
 
 std::vector<Advice> advice_of(const Shown& shown, const Configuracion& configuration,
@@ -32,7 +34,8 @@ std::vector<Advice> advice_of(const Shown& shown, const Configuracion& configura
                                       : Association::Outcome::matched;
     }
     for (int i = 0; i < scans; ++i) {
-        suitability.note(std::vector<Control>{{{shown.step_m, 0.0, 0.0}, 1.0}}, seen, associations);
+        suitability.note(std::vector<Control>{{{shown.step_m, 0.0, 0.0}, 1.0}}, shown.points,
+                         i % 10 < shown.empty ? Observation() : seen, associations);
     }
     return suitability.advice(configuration, simulated);
 }
@@ -83,6 +86,20 @@ TEST(Suitability, ManyObservationsThatMatchNothing) {
     EXPECT_EQ(told[0].figure, "40 %");
     EXPECT_NE(told[0].text.find("match nothing in the map"), std::string_view::npos);
     EXPECT_TRUE(advice_of({.created = 2}, {}).empty());
+}
+
+TEST(Suitability, ManyScansOfPointsThatShowNoWallMayShowTrees) {
+    Configuracion configuration;
+    const std::vector<Advice> told = advice_of({.empty = 7}, configuration);
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_EQ(told[0].words(),
+              "70 % of the scans show no wall and no corner: of trees and posts, which are round, "
+              "landmarks are made where features.circles is on. Try --preset trees.");
+    EXPECT_TRUE(advice_of({.empty = 6}, configuration).empty());
+    // Of landmarks that a sensor told a scan has no points.
+    EXPECT_TRUE(advice_of({.empty = 7, .points = false}, configuration).empty());
+    configuration.extraction.circles.find = true;
+    EXPECT_TRUE(advice_of({.empty = 7}, configuration).empty());
 }
 
 TEST(Suitability, TheFirstScansSayNothing) {
