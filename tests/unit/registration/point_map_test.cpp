@@ -39,6 +39,19 @@ TEST(PointMap, FindsWhatTryingAllPointsFinds) {
     }
 }
 
+TEST(PointMap, OfPointsAsNearTheFirstOfTheRowIsTaken) {
+    // Wherever one begins to look: in the bucket of the middle, from -0.1 on, lies the other one.
+    PointMap map;
+    map.begin({0.0, 0.0}, 5.0);
+    map.add(std::vector<SurfacePoint>{{0.0625F, 0.0F}}, {}, 0);
+    map.add(std::vector<SurfacePoint>{{-0.1875F, 0.0F}}, {}, 1);
+    map.add(std::vector<SurfacePoint>{{-1.0F, 0.0F}}, {}, 2);
+    map.build();
+    const MapPoint* const nearest = map.nearest(-0.0625, 0.0, 1.0);
+    ASSERT_NE(nearest, nullptr);
+    EXPECT_EQ(nearest->source, 1U);
+}
+
 TEST(PointMap, AnEmptyMapHasNoNearest) {
     PointMap map;
     map.begin({1.0, 2.0}, 5.0);
