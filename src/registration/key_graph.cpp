@@ -109,34 +109,50 @@ void KeyGraph::find_scan_edges(std::uint32_t to, const Pose& pose,
     }
 }
 
-std::vector<std::uint32_t> near_keys(const KeyGraph& graph, std::span<const GraphReach> reached,
-                                     double way_m, const Pose& at, double distance) {
-    std::vector<std::uint32_t> near;
-    for (std::uint32_t j = 0; j < reached.size(); ++j) {
-        if (reached[j].way_m < way_m && distance_m(graph.poses[j].pose, at) < distance)
-            near.push_back(j);
-    }
-    return near;
+namespace {
+
+/// The first of the newest keys that a map has.
+std::size_t first_new(const KeyGraph& graph, const MapOfKeys& map) {
+    const std::size_t begin = graph.part_begin(std::min(map.end, graph.size() - 1));
+    return std::max(begin, map.end > map.newest ? map.end - map.newest : 0);
 }
 
-void select_keys(const KeyGraph& graph, std::size_t end, const Pose& at, std::size_t newest,
-                 std::span<const std::uint32_t> near, std::vector<std::uint32_t>& selected) {
-    selected.clear();
-    const std::size_t begin = graph.part_begin(std::min(end, graph.size() - 1));
-    const std::size_t first_new = std::max(begin, end > newest ? end - newest : 0);
-    for (std::size_t j = first_new; j < end; ++j) {
-        selected.push_back(static_cast<std::uint32_t>(j));
-    }
+/// The `most` nearest, nearest first.
+std::vector<std::uint32_t> nearest_of(std::vector<std::pair<double, std::uint32_t>> keys,
+                                      std::size_t most) {
+    const std::size_t kept = std::min(keys.size(), most);
+    std::partial_sort(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(kept), keys.end());
+    std::vector<std::uint32_t> nearest;
+    nearest.reserve(kept);
+    for (std::size_t i = 0; i < kept; ++i) nearest.push_back(keys[i].second);
+    return nearest;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> older_keys(const KeyGraph& graph, const MapOfKeys& map,
+                                      std::span<const GraphReach> reached, double way_m,
+                                      std::size_t most) {
     std::vector<std::pair<double, std::uint32_t>> older;
-    for (const std::uint32_t j : near) {
-        if (j >= first_new) break;
-        const double distance = distance_m(graph.poses[j].pose, at);
-        if (distance < kNearKey) older.emplace_back(distance, j);
+    const std::size_t end = std::min(first_new(graph, map), reached.size());
+    for (std::uint32_t j = 0; j < end; ++j) {
+        if (reached[j].way_m < way_m)
+            older.emplace_back(distance_m(graph.poses[j].pose, map.at), j);
     }
-    const std::size_t kept = std::min(older.size(), newest / 2);
-    std::partial_sort(older.begin(), older.begin() + static_cast<std::ptrdiff_t>(kept),
-                      older.end());
-    for (std::size_t i = 0; i < kept; ++i) selected.push_back(older[i].second);
+    return nearest_of(std::move(older), most);
+}
+
+void select_keys(const KeyGraph& graph, const MapOfKeys& map, std::span<const std::uint32_t> older,
+                 std::vector<std::uint32_t>& selected) {
+    selected.clear();
+    for (std::size_t j = first_new(graph, map); j < map.end; ++j)
+        selected.push_back(static_cast<std::uint32_t>(j));
+    std::vector<std::pair<double, std::uint32_t>> near;
+    for (const std::uint32_t j : older) {
+        const double distance = distance_m(graph.poses[j].pose, map.at);
+        if (distance < kNearKey) near.emplace_back(distance, j);
+    }
+    std::ranges::copy(nearest_of(std::move(near), map.newest / 2), std::back_inserter(selected));
 }
 
 void build_map(const KeyGraph& graph, std::span<const std::uint32_t> selected, const Pose& centre,

@@ -85,15 +85,23 @@ inline double distance_m(const Pose& a, const Pose& b) {
 /// [m] How far from a map's middle older keys may be that take part in it.
 inline constexpr double kNearKey = 6.0;
 
-/// Of the keys that `reached` says are less than `way_m` away along the graph those that lie less
-/// than `distance` from a pose, ascending.
-std::vector<std::uint32_t> near_keys(const KeyGraph& graph, std::span<const GraphReach> reached,
-                                     double way_m, const Pose& at, double distance);
+/// A map about `at` for the key that comes at `end`, or is there: of its part the `newest` keys
+/// before it, and half as many older ones.
+struct MapOfKeys {
+    std::size_t end;
+    Pose at;
+    std::size_t newest;
+};
+/// Of the older keys that `reached` says are less than `way_m` away along the graph the `most`
+/// nearest to the map's middle, nearest first.
+std::vector<std::uint32_t> older_keys(const KeyGraph& graph, const MapOfKeys& map,
+                                      std::span<const GraphReach> reached, double way_m,
+                                      std::size_t most);
 
-/// Which keys make the map about `at`: the `newest` keys before `end` of its part, and of older
-/// ones that are `near` along the graph, ascending, the nearest ones within kNearKey, half as many.
-void select_keys(const KeyGraph& graph, std::size_t end, const Pose& at, std::size_t newest,
-                 std::span<const std::uint32_t> near, std::vector<std::uint32_t>& selected);
+/// Which keys make the map: the newest ones, and of these older ones, in any order, the nearest
+/// within kNearKey.
+void select_keys(const KeyGraph& graph, const MapOfKeys& map, std::span<const std::uint32_t> older,
+                 std::vector<std::uint32_t>& selected);
 
 /// Puts those keys' points into a map about `centre`; a point's source is its key's place in
 /// `selected`.

@@ -148,8 +148,9 @@ void Registration::Impl::learn(const DrivenWay& way, const Guess& guess, const P
 
 void Registration::Impl::refresh_map(const Pose& about) {
     if (!map_stale_) return;
-    select_keys(graph_, graph_.size(), about, newest_in_map(),
-                near_keys(graph_, reached_, kOldKeysWay, about, kNearKey), map_keys_);
+    const MapOfKeys map{graph_.size(), about, newest_in_map()};
+    select_keys(graph_, map, older_keys(graph_, map, reached_, kOldKeysWay, map.newest / 2),
+                map_keys_);
     build_map(graph_, map_keys_, about, kMapHalf, map_);
     map_stale_ = false;
 }
@@ -297,20 +298,19 @@ void Registration::Impl::finish(bool another_follows) {
     if (graph_.size() < 2) return;
     const std::vector<KeyPose> before = graph_.poses;
     solve(graph_.poses, graph_.edges, solution(10, true));
-    std::vector<std::vector<std::uint32_t>> near;  // of each key, by the first pass
-    for (int pass = 0; pass < params_.final_passes; ++pass) register_anew(near);
+    std::vector<std::vector<std::uint32_t>> older;  // of each key, by the first pass
+    for (int pass = 0; pass < params_.final_passes; ++pass) register_anew(older);
     weigh_loops();
     correct(before);
     closer_.forget();
     clock_.ends(RegistrationStage::smoothing);
 }
 
-/// Every key's scan against its neighbours as they lie now. What is near along the graph, and not
-/// far off, the first time finds out: the next ones move keys by centimetres.
-void Registration::Impl::register_anew(std::vector<std::vector<std::uint32_t>>& near) {
-    constexpr double kMayCome = 1.0;  // [m]
-    const bool first_pass = near.empty();
-    near.resize(graph_.size());
+/// Every key's scan against its neighbours as they lie now. The first pass finds out which are near
+/// along the graph, and some more than a map has: the next ones move keys by centimetres.
+void Registration::Impl::register_anew(std::vector<std::vector<std::uint32_t>>& older) {
+    const bool first_pass = older.empty();
+    older.resize(graph_.size());
     constexpr MatchStage kWide{0.4, 0.1, true};
     std::erase_if(graph_.edges, [&](const PoseEdge& edge) {
         return (edge.kind == EdgeKind::scan || edge.kind == EdgeKind::loop) && edge.to >= held_;
@@ -328,12 +328,13 @@ void Registration::Impl::register_anew(std::vector<std::vector<std::uint32_t>>& 
         const std::size_t first = begin + piece * kTogether;
         for (std::size_t k = first; k < std::min(first + kTogether, graph_.size()); ++k) {
             const Pose& pose = graph_.poses[k].pose;
+            const MapOfKeys about{k, pose, newest_in_map()};
             if (first_pass) {
                 constexpr double kWay = 2.0 * kOldKeysWay;
                 graph_.reach(k, reached, kWay);
-                near[k] = near_keys(graph_, reached, kWay, pose, kNearKey + kMayCome);
+                older[k] = older_keys(graph_, about, reached, kWay, 2 * about.newest);
             }
-            select_keys(graph_, k, pose, newest_in_map(), near[k], keys);
+            select_keys(graph_, about, older[k], keys);
             build_map(graph_, keys, pose, kMapHalf, map);
             by_source.assign(keys.size(), {});
             const Linearization l =

@@ -106,7 +106,7 @@ class Registration::Impl {
     double squared_distance(const PoseEdge& edge) const;
     std::size_t newest_in_map() const { return static_cast<std::size_t>(params_.key_scans); }
     void correct(const std::vector<KeyPose>& keys_before);
-    void register_anew(std::vector<std::vector<std::uint32_t>>& near);
+    void register_anew(std::vector<std::vector<std::uint32_t>>& older);
 
     RegistrationParams params_;
     int threads_;

@@ -28,13 +28,15 @@ double StepMatcher::score(std::span<const SurfacePoint> scan, const PointMap& ma
 void StepMatcher::search(std::span<const SurfacePoint> scan, const PointMap& map,
                          const PosePrior& odometry, const Eigen::Vector2d& sigmas,
                          Start& best) const {
-    constexpr double kMargin = 0.05;    // of score, for leaving the odometry
-    constexpr double kFar = 18.0;       // [m]
-    constexpr double kHalf = 20.0;      // [m], of the picture
-    constexpr std::size_t kMany = 120;  // points, above which every second one will do
+    constexpr double kMargin = 0.05;     // of score, for leaving the odometry
+    constexpr double kFar = 18.0;        // [m]
+    constexpr double kHalf = 20.0;       // [m], of the picture
+    constexpr std::size_t kMany = 120;   // points, above which every second one will do,
+    constexpr std::size_t kMost = 2000;  // and never more than these
     constexpr std::size_t kFewest = 20;
     std::vector<SurfacePoint> query;
-    const std::size_t stride = scan.size() > kMany ? 2 : 1;
+    const std::size_t stride =
+        std::max<std::size_t>(scan.size() > kMany ? 2 : 1, scan.size() / kMost);
     for (std::size_t i = 0; i < scan.size(); i += stride) {
         if (std::hypot(static_cast<double>(scan[i].x), static_cast<double>(scan[i].y)) < kFar) {
             query.push_back(scan[i]);

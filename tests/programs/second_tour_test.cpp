@@ -62,6 +62,8 @@ TEST_F(SecondTourTest, IsLocalisedInAMapThatStaysAsItIs) {
     ASSERT_EQ(told.status, 0) << told.output;
     EXPECT_THAT(told.output, HasSubstr("found in the map after "));
     EXPECT_THAT(told.output, Not(HasSubstr("warning")));
+    // Of scans in which nobody looks for walls nothing is said.
+    EXPECT_LT(summary_of("out")["suitability"]["empty"], 0.05);
     EXPECT_EQ(content("out/map.txt"), content("first/map.txt"));
     const json first = summary_of("first");
     const json quality = summary_of("out")["quality"];

@@ -90,7 +90,7 @@ void tell_times(const RunTimes& times, std::uint64_t scans, const Report& report
         say(file.name, file.seconds);
         told += file.seconds;
     }
-    say("other threads", times.all - told);
+    say("the rest, other threads", times.all - told);
     say("all", times.all);
 }
 

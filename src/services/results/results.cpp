@@ -145,6 +145,7 @@ void write_files(const FinishedRun& finished, RunSummary& summary, const StagedF
     OutputCrew crew(finished, folder.path(), told, count);
     const std::vector<Message> reasons = crew.write(wanted, threads);
     for (std::size_t i = 0; summary.times && i < wanted.size(); ++i) {
+        if (!reasons[i].empty()) continue;
         summary.times->files.push_back({wanted[i]->files(finished).front(), crew.seconds()[i]});
     }
     // Once more after all that may have read the tour again.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -107,13 +108,21 @@ void end_where_asked(const FinishedRun& finished) {
     if (finished.stopped()) throw Error(left_out());
 }
 
+/// Of no more pixels than a screen shows, in about.
+MapImage to_look_at(MapImage image) {
+    constexpr double kPixels = 16e6;
+    const double width = image.picture.width;
+    const double height = image.picture.height;
+    const double longest = std::max(width, height) * std::sqrt(kPixels / (width * height));
+    return fitted(shrunk(std::move(image), static_cast<int>(std::max(longest, 1.0))), "jpg");
+}
+
 /// The grid as .png, a pixel a cell at least, and as .jpg to look at, with the path over it.
 template <class MakeGrid, class PathOf>
 RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
     const auto write = [stem, make_grid, path_of](const FinishedRun& finished,
                                                   const Folder& folder) {
         constexpr std::size_t kDrawnAtOnce = 4'000'000;  // pixels
-        constexpr int kJpgSide = 4096;                   // pixels, more than screens have
         const Grid& grid = make_grid(finished);
         MapImage image = map_image(grid);
         if (image.picture.grey.size() > kDrawnAtOnce) end_where_asked(finished);
@@ -125,7 +134,7 @@ RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
             style.path.push_back({stamped.pose.x, stamped.pose.y});
         }
         write_picture(fitted(image, "png"), style, folder / numbered(stem + ".png", finished));
-        write_picture(shrunk(std::move(image), kJpgSide), style,
+        write_picture(to_look_at(std::move(image)), style,
                       folder / numbered(stem + ".jpg", finished));
     };
     return output({stem + ".png", stem + ".jpg"}, write);

@@ -172,8 +172,9 @@ Message Algoritmo::out_of_memory(const std::bad_alloc& shortage) const {
 
 void Algoritmo::note_scan() {
     state_.line_extents.note(*state_.filter, state_.observation);
-    state_.suitability.note(step_controls_, !state_.scan.points.empty(), state_.observation,
-                            state_.filter->associations());
+    // Where the map is held nothing is looked for in scans.
+    state_.suitability.note(step_controls_, !state_.held && !state_.scan.points.empty(),
+                            state_.observation, state_.filter->associations());
     if (options_.uncertainty)
         state_.uncertainty.note(state_.scan.stamp_s(), state_.filter->best_map());
     state_.odometry.add(state_.scan.stamp_s(), step_controls_);

@@ -61,8 +61,8 @@ TEST(KeyGraph, NothingLeadsOverACutButALoop) {
     EXPECT_EQ(reach[5].way_m, GraphReach::kNever);
     EXPECT_EQ(reach[1].way_m, GraphReach::kNever);
     std::vector<std::uint32_t> selected;
-    const auto near = [&](const Pose& at) { return near_keys(graph, reach, 6.0, at, kNearKey); };
-    select_keys(graph, 12, graph.poses[11].pose, 30, near(graph.poses[11].pose), selected);
+    const MapOfKeys all{12, graph.poses[11].pose, 30};
+    select_keys(graph, all, older_keys(graph, all, reach, 6.0, 60), selected);
     EXPECT_EQ(selected, (std::vector<std::uint32_t>{6, 7, 8, 9, 10, 11}));
 
     graph.join(3, 9);
@@ -77,9 +77,11 @@ TEST(KeyGraph, TheLocalMapHasTheNewestKeysAndTheNearestOfAnEarlierPassage) {
     std::vector<GraphReach> reach;
     graph.reach(39, reach);
     std::vector<std::uint32_t> keys;
-    const Pose& at = graph.poses[39].pose;
-    select_keys(graph, 40, at, 8, near_keys(graph, reach, 6.0, at, kNearKey), keys);
-    EXPECT_EQ(keys, (std::vector<std::uint32_t>{32, 33, 34, 35, 36, 37, 38, 39, 0, 1, 2, 3}));
+    const MapOfKeys map{40, graph.poses[39].pose, 8};
+    for (const std::size_t most : {4U, 16U, 40U}) {
+        select_keys(graph, map, older_keys(graph, map, reach, 6.0, most), keys);
+        EXPECT_EQ(keys, (std::vector<std::uint32_t>{32, 33, 34, 35, 36, 37, 38, 39, 0, 1, 2, 3}));
+    }
 }
 
 TEST(KeyGraph, AKeyThatWouldMoveTheScanByMoreThanHalfAMetreMakesNoEdge) {

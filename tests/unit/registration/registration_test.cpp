@@ -123,6 +123,22 @@ TEST(Registration, IsTheSameTwice) {
     EXPECT_EQ(first.online, second.online);
 }
 
+TEST(Registration, SameBitsForAnyNumberOfThreads) {
+    RegistrationParams params;
+    params.key_distance_m = 0.3;  // every step a key, so that there is work for several
+    const std::vector<Pose> truth = test::round_tour(test::kRing, 2);
+    std::vector<Pose> alone;
+    for (const int threads : {1, 2, 7}) {
+        test::Driven driven =
+            test::drive(test::ring_walls(), truth, 0.004, 1.01, params, 0.005, threads);
+        EXPECT_GT(driven.registration.keys().size(), 200U);
+        driven.registration.finish();
+        const std::vector<Pose> path = driven.registration.path();
+        if (alone.empty()) alone = path;
+        EXPECT_EQ(path, alone) << threads << " threads";
+    }
+}
+
 TEST(Registration, SaysThatARobotWasCarried) {
     // From one building to another that is nothing like it, without a word from the wheels.
     std::vector<Pose> truth = round_tour(kRing, 1);

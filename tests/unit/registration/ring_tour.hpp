@@ -102,8 +102,8 @@ struct Driven {
 
 /// Odometry whose heading drifts by `drift` radians a metre and that is `scale` times too long.
 inline Driven drive(const Walls& walls, const std::vector<Pose>& truth, double drift, double scale,
-                    const RegistrationParams& params = {}, double sigma = 0.005) {
-    Driven driven{Registration(params), {}, {}};
+                    const RegistrationParams& params = {}, double sigma = 0.005, int threads = 1) {
+    Driven driven{Registration(params, threads), {}, {}};
     std::mt19937 engine(9);
     Pose odometry;
     for (std::size_t i = 0; i < truth.size(); ++i) {

@@ -5,11 +5,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/drawing/picture_file.hpp"
 #include "hitos/services/results/kept_run.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "support.hpp"
@@ -41,13 +43,15 @@ const std::set<std::string> kAlways = {"map.txt",
 
 class ResultsTest : public testing::Test {
   protected:
-    static Algoritmo run_of(const char* algorithm, const AlgoritmoOptions& options = {}) {
+    static Algoritmo run_of(const char* algorithm, const AlgoritmoOptions& options = {},
+                            double resolution_m = 0.05) {
         Configuracion configuration =
             ArchivoConfiguracion::read(kResultsSource / "config/thesis.cfg");
         configuration.source.file = kResultsSource / "data/logs/player-laser.log.gz";
         configuration.filter.algorithm = algorithm;
         configuration.filter.particles = 7;
         configuration.run.seed = 11;
+        configuration.grid.resolution_m = resolution_m;
         Algoritmo run(configuration, open_source(configuration.source), options);
         while (run.step()) {
         }
@@ -99,6 +103,19 @@ TEST_F(ResultsTest, TheSummaryStatesTheRun) {
     EXPECT_GT(online.rmse_m, 1e-6);
     EXPECT_EQ(stated["online_error"]["ate_rmse_m"], online.rmse_m);
     EXPECT_FALSE(stated.contains("distances"));
+}
+
+TEST_F(ResultsTest, AGridsJpgHasNoMorePixelsThanOneLooksAt) {
+    const auto pixels = [&](const char* name) {
+        const Grid::Picture picture = read_grey_picture(out_ / name);
+        return std::int64_t{picture.width} * picture.height;
+    };
+    write_results(run_of("fastslam"), {}, 1.0, out_.path());
+    EXPECT_EQ(pixels("grid_best.jpg"), pixels("grid_best.png"));
+    write_results(run_of("fastslam", {}, 0.002), {}, 1.0, out_.path());
+    EXPECT_GT(pixels("grid_best.png"), 16'000'000);
+    EXPECT_LE(pixels("grid_best.jpg"), 16'000'000);
+    EXPECT_GT(pixels("grid_best.jpg"), 2'000'000);
 }
 
 TEST_F(ResultsTest, TheFiguresOfARunStandWhereTheirEntriesSay) {
