@@ -96,8 +96,8 @@ class Square {
 
     /// By sum; of equal ones finer squares are the greater, then those of lower place, so that the
     /// order never depends on how a heap is built.
-    friend bool operator==(Square a, Square b) { return a.number_ == b.number_; }
     friend auto operator<=>(Square a, Square b) { return a.number_ <=> b.number_; }
+    friend bool operator==(Square a, Square b) { return a.number_ == b.number_; }
 
   private:
     static constexpr std::uint64_t ones(int bits) { return (std::uint64_t{1} << bits) - 1; }
