@@ -166,7 +166,11 @@ const UseModel::Expected& UseModel::expected(const Step& step) {
     std::string key = fmt::format("{} {}", place_.work().string(), fmt::join(step.words, " "));
     std::set<std::string> needed(step.reads.begin(), step.reads.end());
     needed.insert(step.writes.begin(), step.writes.end());
-    for (const std::string& part : needed) key += " " + key_of(parts_[part].shown);
+    // What is shown of a part does not tell what somebody has changed in a file that tells times.
+    for (const std::string& name : needed) {
+        const Part& part = parts_[name];
+        key += " " + key_of(part.changed ? part.raw : part.shown);
+    }
     if (known.size() >= kMost && !known.contains(key)) known.clear();
     const auto [found, is_new] = known.try_emplace(key);
     if (!is_new) return found->second;
