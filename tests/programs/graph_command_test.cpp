@@ -64,7 +64,7 @@ TEST_F(GraphCommand, WritesTheSameBytesAgain) {
     call(square() + " --out " + path("one"));
     call(square() + " --out " + path("two"));
     EXPECT_EQ(files("one"), files("two"));
-    EXPECT_EQ(files("one").size(), 3U);
+    EXPECT_EQ(files("one").size(), 4U);
 }
 
 TEST_F(GraphCommand, PutsNothingInThePlaceOfAGraph) {
@@ -85,6 +85,10 @@ TEST_F(GraphCommand, TakesChangesByHand) {
     EXPECT_EQ(told.at("EDGE_SE2"), 3);
     EXPECT_EQ(told.at("EDGE_PRIOR_SE2"), 1);
     EXPECT_THAT(content(path("out/graph.g2o")), HasSubstr("EDGE_PRIOR_SE2 4 0 3 -1.57 10000"));
+    EXPECT_EQ(content(path("out/edits.txt")),
+              "# Changes by hand of square.g2o\nrefuse 4 1  # no loop\nfix 4 0 3 -1.57\nslip 3\n");
+    call(square() + " --edits " + path("out/edits.txt") + " --out " + path("again"));
+    EXPECT_EQ(files("again"), files("out"));
     refused(square() + " --edits " + file("none", "# nothing\n"), "has no change");
     refused(square() + " --edits " + file("other", "slip 7\n"),
             "/other:1: change 1: the graph has no pose with the id 7");

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stop_token>
+#include <string>
 #include <vector>
 
 #include "hitos/base/geometry.hpp"
@@ -82,17 +84,25 @@ struct PlanarSolution {
     std::vector<std::uint32_t> held;
 };
 
+enum class PlanarStart : std::uint8_t {
+    best,  ///< from where the vertices are, or where the fewest edges have them
+    here   ///< three steps from where they are: enough for an eye after a small change
+};
+
 /// Moves the vertices that are not fixed to where the sum of squared errors is least, by
 /// Levenberg's and Marquardt's steps from where they are, or from where the fewest edges from what
 /// is fixed have them if that sum is less there; it never grows. `robust`: errors far from the rest
-/// lose weight, and the sum is robust_loss()'s. Throws Error where the numbers are beyond
-/// reckoning.
-PlanarSolution solve(PlanarGraph& graph, bool robust);
+/// lose weight, and the sum is robust_loss()'s. Asked to stop it ends with the step under way, not
+/// converged. Throws Error where the numbers are beyond reckoning.
+PlanarSolution solve(PlanarGraph& graph, bool robust, PlanarStart start = PlanarStart::best,
+                     const std::stop_token& stop = {});
 
 /// Changes by hand (parse_vertex_edits()): refuse drops the edges between two poses, close adds one
 /// as sure as an eye is, fix adds a prior of a place that is known, slip takes the edges to a pose
 /// from the one with the next lower id for a metre and a radian. Throws wrong_edit() for a
 /// change that meets nothing.
 void edit(PlanarGraph& graph, const PlacedEdits& edits);
+/// What parse_vertex_edits() reads back as the same, to the last bit: one a line.
+std::string vertex_text_of(std::span<const GraphEdit> edits);
 
 }  // namespace hitos

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Changes by hand of a graph from a file.
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <optional>
 
 #include "hitos/base/error.hpp"
 #include "hitos/registration/odometry_step.hpp"
@@ -118,6 +119,20 @@ class PlanarEditor {
 void edit(PlanarGraph& graph, const PlacedEdits& edits) {
     PlanarEditor editor(graph, edits);
     for (std::size_t number = 1; number <= edits.edits.size(); ++number) editor.make(number);
+}
+
+std::string vertex_text_of(std::span<const GraphEdit> edits) {
+    std::string text;
+    for (const GraphEdit& edit : edits) {
+        text += fmt::format("{} {}", word_of(edit.kind), edit.scan.scan);
+        if (edit.of_two()) text += fmt::format(" {}", edit.earlier.scan);
+        if (edit.has_pose()) {
+            text += fmt::format(" {} {} {}", edit.pose.x, edit.pose.y, edit.pose.theta);
+        }
+        if (!edit.comment.empty()) text += "  # " + edit.comment;
+        text += '\n';
+    }
+    return text;
 }
 
 }  // namespace hitos

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <stop_token>
 #include <utility>
 
 #include "hitos/base/error.hpp"
@@ -54,8 +55,11 @@ std::vector<double> greatest_information(const PlanarGraph& graph) {
 
 class PlanarSolver {
   public:
-    PlanarSolver(PlanarGraph& graph, bool robust)
-        : graph_(graph), robust_(robust), units_(greatest_information(graph)) {
+    PlanarSolver(PlanarGraph& graph, bool robust, std::stop_token stop)
+        : graph_(graph),
+          robust_(robust),
+          stop_(std::move(stop)),
+          units_(greatest_information(graph)) {
         hold_parts();
         variables_.assign(graph.vertices.size(), kNone);
         for (std::size_t i = 0; i < graph.vertices.size(); ++i) {
@@ -66,7 +70,7 @@ class PlanarSolver {
         }
     }
 
-    PlanarSolution solve() {
+    PlanarSolution solve(PlanarStart from) {
         const std::vector<PlanarVertex> before = graph_.vertices;
         solution_.chi_square_before = chi_square(graph_);
         loss_ = loss();
@@ -78,8 +82,9 @@ class PlanarSolver {
         }
         if (equations_.variables() > 0) {
             check_size();
-            start();
-            iterate(kMostPlanarSteps);
+            constexpr int kFew = 3;
+            if (from == PlanarStart::best) start();
+            iterate(from == PlanarStart::best ? kMostPlanarSteps : kFew);
         }
         solution_.converged = solution_.converged || equations_.variables() == 0;
         solution_.chi_square_after = chi_square(graph_);
@@ -267,7 +272,7 @@ class PlanarSolver {
         double least = kLeast;
         double damping = least;
         std::vector<PlanarVertex> places;
-        for (int step = 0; step < most && damping <= kMost; ++step) {
+        for (int step = 0; step < most && damping <= kMost && !stop_.stop_requested(); ++step) {
             ++solution_.steps;
             sum(damping);
             places = graph_.vertices;
@@ -297,6 +302,7 @@ class PlanarSolver {
 
     PlanarGraph& graph_;
     bool robust_;
+    std::stop_token stop_;
     std::vector<double> units_;  // of damping, by vertex
     double width_ = 1.0;         // of the robust loss, squared
     double loss_ = 0.0;
@@ -310,8 +316,9 @@ class PlanarSolver {
 
 }  // namespace
 
-PlanarSolution solve(PlanarGraph& graph, bool robust) {
-    return PlanarSolver(graph, robust).solve();
+PlanarSolution solve(PlanarGraph& graph, bool robust, PlanarStart start,
+                     const std::stop_token& stop) {
+    return PlanarSolver(graph, robust, stop).solve(start);
 }
 
 }  // namespace hitos

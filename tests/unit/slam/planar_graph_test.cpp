@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -175,6 +176,32 @@ TEST(PlanarGraph, SolvedAgainItStays) {
     EXPECT_LE(again.chi_square_after, chi_square_after);
     EXPECT_LE(again.steps, 3);
     EXPECT_LT(furthest(before, graph), 1e-6);
+}
+
+TEST(PlanarGraph, FewStepsFromWhereItIsForeseeASmallChange) {
+    for (const bool robust : {false, true}) {
+        PlanarGraph graph = small_world();
+        solve(graph, robust);
+        std::erase_if(graph.edges, [](const PlanarEdge& edge) {
+            return edge.kind == EdgeKind::step && edge.to - edge.from > 100;
+        });
+        PlanarGraph afresh = graph;
+        const PlanarSolution whole = solve(afresh, robust);
+        const PlanarSolution soon = solve(graph, robust, PlanarStart::here);
+        EXPECT_GT(soon.greatest_move_m, 1e-4);
+        EXPECT_LT(furthest(graph, afresh), 1e-3);
+        EXPECT_LT(soon.steps, whole.steps);
+    }
+}
+
+TEST(PlanarGraph, AskedToStopItMovesNothingAnyMore) {
+    PlanarGraph graph = small_world();
+    std::stop_source stop;
+    stop.request_stop();
+    const PlanarSolution solution = solve(graph, true, PlanarStart::here, stop.get_token());
+    EXPECT_EQ(solution.steps, 0);
+    EXPECT_FALSE(solution.converged);
+    EXPECT_EQ(furthest(graph, small_world()), 0.0);
 }
 
 TEST(PlanarGraph, ChiSquareNeverGrows) {
@@ -368,6 +395,15 @@ TEST(PlanarGraph, IsEditedByHand) {
     EXPECT_NEAR(graph.edges[4].information(0, 0), 1e4, 1e-6) << "1 cm";
     solve(graph, false);
     EXPECT_NEAR(graph.vertices[3].at(1), 1.0, 0.05);
+}
+
+TEST(PlanarGraph, EditsAreWrittenAsTheyWereRead) {
+    const std::string text =
+        "refuse 812 40  # the kitchen; not the hall\nclose 9000000000 37 0.1 -0.25 1.57\n"
+        "fix 0 1e-05 -2 6.28\nslip 55\n";
+    const std::vector<GraphEdit> edits = parse_vertex_edits(text, "edits").edits;
+    EXPECT_EQ(vertex_text_of(edits), text);
+    EXPECT_EQ(parse_vertex_edits(vertex_text_of(edits), "edits").edits, edits);
 }
 
 TEST(PlanarGraph, RefusesEditsThatMeetNothing) {

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hitos/services/results/solved_graph.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "drawing/graph_figure.hpp"
+#include "hitos/base/atomic_file.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/base/file_exchange.hpp"
+#include "hitos/base/input_files.hpp"
+#include "hitos/base/staged_files.hpp"
+#include "hitos/services/files/g2o_file.hpp"
+#include "hitos/services/results/results.hpp"
+
+namespace hitos {
+
+SolvedGraph solved_graph(PlanarGraph graph, const PlacedEdits& edits, const GraphChoices& choices,
+                         PlanarStart start, const std::stop_token& stop) {
+    SolvedGraph solved{std::move(graph)};
+    edit(solved.graph, edits);
+    const auto begin = std::chrono::steady_clock::now();
+    solved.solution = solve(solved.graph, choices.robust, start, stop);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    solved.seconds = took.count();
+    solved.worst = worst_edges(solved.graph, choices.worst);
+    return solved;
+}
+
+GraphFolder::GraphFolder(std::filesystem::path folder,
+                         std::span<const std::filesystem::path> inputs)
+    : folder_(std::move(folder)) {
+    // The graph last: it says that the others are whole.
+    for (const char* name : {"graph.svg", "graph.png", "edits.txt", "graph.g2o"}) {
+        files_.push_back(folder_ / name);
+    }
+    if (is_there(folder_ / "summary.json")) {
+        throw FileError(folder_.string(),
+                        HITOS_TEXT("Errors",
+                                   "holds the results of a run, which would not be what they "
+                                   "were; choose another folder"));
+    }
+    check_apart(files_, inputs);
+    const bool missing = !is_there(folder_);
+    prepare_output_folder(folder_);
+    made_ = missing;
+}
+
+GraphFolder::~GraphFolder() {
+    if (made_) ::rmdir(folder_.c_str());  // not where there is anything in it
+}
+
+std::optional<std::string> GraphFolder::held() const {
+    const auto file = std::ranges::find_if(files_, [](const auto& one) { return is_there(one); });
+    return file == files_.end() ? std::nullopt : std::optional(file->filename().string());
+}
+
+void GraphFolder::write(const std::string& name, const SolvedGraph& solved,
+                        std::span<const GraphEdit> edits) const {
+    constexpr double kPixelsPerMm = 10.0;
+    const VectorDrawing figure = graph_figure(name, solved.graph, solved.worst);
+    StagedFiles staged(files_);
+    staged.write([&] {
+        write_file(staged.staged(files_[0]), svg_text(figure));
+        write_file(staged.staged(files_[1]), png_text(figure, kPixelsPerMm));
+        write_file(staged.staged(files_[2]), fmt::format("# Changes by hand of {}\n{}",
+                                                         on_one_line(name), vertex_text_of(edits)));
+        write_file(staged.staged(files_[3]), g2o_text(solved.graph));
+    });
+    staged.commit();
+}
+
+}  // namespace hitos
