@@ -20,6 +20,7 @@
 #include "dialogs/source_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "gui_fixture.hpp"
+#include "inspect/graph_window.hpp"
 #include "look/screen_fit.hpp"
 #include "runs/compare_window.hpp"
 #include "runs/runs.hpp"
@@ -251,6 +252,11 @@ void FitTest::every_window_fits() {
         check_dialog(until, until.sizeHint(), "run until");
         AnimationDialog animation(30, f.window.get());
         check_dialog(animation, animation.sizeHint(), "animation");
+        GraphWindow& graph = f.window->open_graph(f.write("a.g2o",
+                                                          "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\n"
+                                                          "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n"));
+        QTRY_VERIFY(graph.shown() && !graph.busy());
+        check_dialog(graph, {1180, 700}, "graph");
         StudyDialog& study = f.window->open_study();
         for (const char* second : {"", "p=5,10"}) {
             study.form().set_assignments({"dmax=0.01,0.02", second});

@@ -10,6 +10,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMap>
 #include <QMenuBar>
 #include <QPlainTextEdit>
@@ -24,6 +25,7 @@
 #include "dialogs/run_until_dialog.hpp"
 #include "dialogs/source_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
+#include "inspect/graph_window.hpp"
 #include "keyboard.hpp"
 #include "runs/compare_window.hpp"
 #include "runs/runs.hpp"
@@ -167,6 +169,18 @@ void visit_windows(KeyboardFixture& f, const std::function<void(QWidget&, const 
     f.window->runs().compare({});
     f.window->runs().comparison()->show_figures(true);
     visit(*f.window->runs().comparison(), "compare");
+    GraphWindow& poses = f.window->open_graph(f.write(
+        "small.g2o", "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n"));
+    QTRY_VERIFY(poses.shown() && !poses.busy());
+    poses.findChild<QLineEdit*>("graph_b")->setText("0");
+    QTest::keyClicks(poses.findChild<QLineEdit*>("graph_a"), "1");
+    poses.findChild<QPushButton*>("graph_slip")->click();
+    QTRY_VERIFY(!poses.busy());
+    poses.findChild<QListWidget*>("graph_edits")->setCurrentRow(0);
+    look(poses, "graph");
+    poses.findChild<QPushButton*>("graph_undo")->click();
+    QTRY_VERIFY(!poses.busy());
+    poses.close();
     f.window->findChild<QAction*>("action_guide")->trigger();
     visit(*f.window->findChild<QDialog*>("guide_window"), "guide");
     for (const char* name : {"keys", "about"}) {

@@ -57,6 +57,7 @@ int main(int argc, char** argv) {
     if (name == "draw") return run<DrawTest>(arguments);
     if (name == "drive") return run<DriveTest>(arguments);
     if (name == "gamepad") return run<GamepadTest>(arguments);
+    if (name == "graph") return run<GraphTest>(arguments);
     if (name == "guide") return run<GuideTest>(arguments);
     if (name == "run") return run<RunTest>(arguments);
     if (name == "runs") return run<RunsTest>(arguments);
@@ -71,7 +72,8 @@ int main(int argc, char** argv) {
     if (name == "view") return run<ViewTest>(arguments);
     if (name == "words") return run<WordsTest>(arguments);
     qCritical(
-        "expected contact, draw, drive, fit, gamepad, guide, source, configuration, random, run, "
+        "expected contact, draw, drive, fit, gamepad, graph, guide, source, configuration, random, "
+        "run, "
         "runs, sessions, study, time, view, inspect, keyboard, lessons, measure or words");
     return 2;
 }

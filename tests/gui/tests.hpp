@@ -331,6 +331,21 @@ class InspectTest : public QObject {
     void the_nees_is_a_plot_where_the_truth_is_known();
 };
 
+class GraphTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void a_graph_is_shown_with_its_worst_edges();
+    void changes_are_solved_at_once_undone_and_taken_back();
+    void the_window_writes_what_the_command_writes_data();
+    void the_window_writes_what_the_command_writes();
+    void what_is_no_graph_is_told_and_nothing_is_lost();
+    void its_own_file_is_not_written_over();
+    void changes_that_are_written_nowhere_are_asked_about();
+    void a_graph_is_dropped_and_named_on_the_command_line();
+    void a_window_that_closes_waits_for_nothing();
+};
+
 class MeasureTest : public QObject {
     Q_OBJECT
 

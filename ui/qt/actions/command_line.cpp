@@ -62,8 +62,8 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
     program.add_option(
         "file", out.open,
         "Log (plain or .gz), ROS recording (.bag, .mcap, .db3 or a folder of rosbag2), "
-        "configuration (.cfg), world (.toml, or the name of one that comes with Hitos), or a "
-        "folder of results");
+        "configuration (.cfg), world (.toml, or the name of one that comes with Hitos), graph of "
+        "poses (.g2o), or a folder of results");
     CLI::Option* config = program.add_option("--config", out.config, "Configuration file");
     program
         .add_option("--preset", out.preset,
@@ -152,6 +152,7 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
     const auto kind = named.isEmpty() ? std::optional<FileKind>() : std::optional(kind_of(named));
     const bool named_configuration = kind == FileKind::configuration;
     const bool named_results = kind == FileKind::results;
+    const bool named_graph = kind == FileKind::graph;
     if (!line.config.empty()) {
         configuration = ArchivoConfiguracion::read(line.config);
     } else if (!line.preset.empty() && line.preset != kAutoPreset) {
@@ -167,10 +168,10 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
         configuration = suited_configuration(source);
     } else if (init == Init::read && files.has_init()) {
         configuration = ArchivoConfiguracion::read(files.init_path().toStdString());
-    } else if (named.isEmpty() && !shipped_file(kReadyTour).empty()) {
+    } else if ((named.isEmpty() || named_graph) && !shipped_file(kReadyTour).empty()) {
         configuration = preset_configuration(kReadyPreset);
     }
-    if (!named.isEmpty() && !named_configuration && !named_results) {
+    if (!named.isEmpty() && !named_configuration && !named_results && !named_graph) {
         const std::string source = source_named(line.open);
         // What was set is of another recording; what is named counts.
         if (line.config.empty() && line.preset.empty() && configuration.source.file != source)

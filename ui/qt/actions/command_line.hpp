@@ -15,7 +15,7 @@ namespace hitos::window {
 class UserFiles;
 
 struct CommandLine {
-    std::string open;  ///< log, world or configuration
+    std::string open;  ///< log, world, configuration, graph or results
     std::string config;
     std::string preset;
     ValueChoices values;

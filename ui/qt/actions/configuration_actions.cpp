@@ -188,7 +188,7 @@ void ConfigurationActions::note_named(const CommandLine& line) {
     const FileKind kind = kind_of(named);
     if (kind == FileKind::configuration) {
         files_.note_recent(named);
-    } else if (kind != FileKind::results && !log.empty()) {
+    } else if (kind != FileKind::results && kind != FileKind::graph && !log.empty()) {
         files_.note_recent(QString::fromStdString(log));
     }
 }
@@ -363,6 +363,10 @@ bool ConfigurationActions::open(const QString& path, bool confirmed) {
     if (kind == FileKind::source) return use_log(path);
     if (kind == FileKind::results) {
         emit results_named(path);
+        return true;
+    }
+    if (kind == FileKind::graph) {
+        emit graph_named(path);
         return true;
     }
     return use_reference(path, kind);

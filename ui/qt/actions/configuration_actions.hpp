@@ -77,6 +77,8 @@ class ConfigurationActions final : public QObject {
     void inspected(const SourceParams& source, const TourSummary& tour);
     /// A folder of results is among what was opened.
     void results_named(QString folder);
+    /// Likewise a graph of poses.
+    void graph_named(QString path);
     /// What can be undone or redone is another.
     void history_changed();
 

@@ -26,7 +26,7 @@ bool belongs_to(const QWidget* widget, const QWidget& main) {
 }  // namespace
 
 std::span<const HelpPlace> help_places() {
-    static constexpr std::array<HelpPlace, 27> kPlaces{{
+    static constexpr std::array<HelpPlace, 28> kPlaces{{
         {"centralwidget", "the-window"},
         {"MapWindow", "the-window"},
         {"run_until", "the-window"},
@@ -46,6 +46,7 @@ std::span<const HelpPlace> help_places() {
         {"associations_dock", "looking-at-a-run-in-numbers"},
         {"measurements_dock", "measuring"},
         {"joint_dock", "the-joint-covariance"},
+        {"graph_window", "graphs-of-poses"},
         {"runs_dock", "comparing-runs"},
         {"compare_window", "comparing-runs"},
         {"StudyDialog", "studies"},

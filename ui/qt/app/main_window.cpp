@@ -414,7 +414,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
-    if (!guard_.may_discard() || (world_ != nullptr && !world_->may_end())) {
+    if (!graphs_may_end() || !guard_.may_discard() || (world_ != nullptr && !world_->may_end())) {
         event->ignore();
         return;
     }

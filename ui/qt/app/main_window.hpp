@@ -17,6 +17,7 @@ namespace hitos::window {
 class CanvasView;
 class ConfigurationActions;
 class FirstLook;
+class GraphWindow;
 class GridView;
 class Inspection;
 class Layouts;
@@ -68,6 +69,8 @@ class MainWindow final : public QMainWindow {
     StudyDialog& open_study();
     /// Shows the world to drive a robot through.
     WorldWindow& open_world_window();
+    /// Opens a graph of poses in a window of its own.
+    GraphWindow& open_graph(const QString& path);
     /// What closing does: the run pauses, the layout is remembered.
     void leave();
     /// Null until it was opened.
@@ -94,6 +97,8 @@ class MainWindow final : public QMainWindow {
     /// The one with the keyboard, else the grid map.
     CanvasView& view_in_use() const;
     bool may_close_now();
+    void ask_for_graph();
+    bool graphs_may_end() const;
     void restyle();
     void save_state();
     void save_layout();

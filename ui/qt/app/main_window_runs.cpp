@@ -5,11 +5,13 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QLocale>
+#include <algorithm>
 
 #include "actions/configuration_actions.hpp"
 #include "actions/result_actions.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "inspect/graph_window.hpp"
 #include "look/screen_fit.hpp"
 #include "main_window.hpp"
 #include "runs/compare_window.hpp"
@@ -69,6 +71,9 @@ bool MainWindow::may_close_now() {
 
 void MainWindow::connect_runs() {
     connect(configuration_, &ConfigurationActions::results_named, runs_, &Runs::open);
+    connect(configuration_, &ConfigurationActions::graph_named, this,
+            [this](const QString& path) { open_graph(path); });
+    connect(ui_->action_open_graph, &QAction::triggered, this, &MainWindow::ask_for_graph);
     connect(&runs_->panel(), &RunsPanel::configuration_wanted, configuration_,
             &ConfigurationActions::use_again);
     connect(&runs_->panel(), &RunsPanel::traces_changed, ui_->grid_view, &GridView::set_traces);
@@ -128,6 +133,30 @@ WorldWindow& MainWindow::open_world_window() {
     world_->raise();
     world_->activateWindow();
     return *world_;
+}
+
+GraphWindow& MainWindow::open_graph(const QString& path) {
+    auto* graph = new GraphWindow(path, files_, prompts_, this);
+    connect(graph, &GraphWindow::notice, status_, &StatusLine::notice);
+    connect(graph, &GraphWindow::picture_wanted, results_, &ResultActions::save_figure);
+    place_beside_parent(*graph, kBeside);
+    graph->show();
+    graph->activateWindow();
+    return *graph;
+}
+
+void MainWindow::ask_for_graph() {
+    const QString path =
+        prompts_.open_file(this, {tr("Open graph"),
+                                  files_.folder_to_open("graph"),
+                                  tr("Graphs of poses (*.g2o *.g2o.gz);;All files (*)"),
+                                  {}});
+    if (!path.isEmpty()) open_graph(path);
+}
+
+bool MainWindow::graphs_may_end() const {
+    return std::ranges::all_of(findChildren<GraphWindow*>(),
+                               [](GraphWindow* graph) { return graph->may_end(); });
 }
 
 }  // namespace hitos::window

@@ -18,6 +18,7 @@ void open_named(MainWindow& window, const CommandLine& line, Audience audience) 
     alone ? actions.start(line) : actions.start_or_warn(line);
     const QString named = QString::fromStdString(line.open);
     if (!named.isEmpty() && kind_of(named) == FileKind::results) window.runs().open(named);
+    if (!named.isEmpty() && kind_of(named) == FileKind::graph) window.open_graph(named);
     const QString distances = QString::fromStdString(line.distances);
     if (!distances.isEmpty())
         alone ? window.measurements().open(distances) : window.open_distances(distances);

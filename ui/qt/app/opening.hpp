@@ -12,8 +12,8 @@ class Session;
 /// Whether somebody looks, who can be told what is wrong and goes on without it.
 enum class Audience { somebody, nobody };
 
-/// Opens the log, configuration, results and distances that are named; a user who names none is
-/// offered ways to begin. Throws hitos::Error where nobody looks.
+/// Opens the log, configuration, results, graph and distances that are named; a user who names none
+/// is offered ways to begin. Throws hitos::Error where nobody looks.
 void open_named(MainWindow& window, const CommandLine& line, Audience audience);
 
 /// Opens the study and starts the run that are asked for, in a window that is there.

@@ -7,10 +7,12 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QPixmap>
+#include <QPointer>
 #include <QTimer>
 #include <functional>
 
 #include "inspect/association_inspector.hpp"
+#include "inspect/graph_window.hpp"
 #include "look/screen_fit.hpp"
 #include "main_window.hpp"
 #include "views/picture.hpp"
@@ -68,6 +70,11 @@ void show_associations(MainWindow& window, const Session& session, const Command
 }  // namespace
 
 void take_screenshot(MainWindow& window, Session& session, const CommandLine& line) {
+    if (const QPointer graph = window.findChild<GraphWindow*>()) {
+        process_until([&graph] { return !graph || !graph->busy(); });
+        if (graph && graph->shown()) write_picture_of(*graph, line);
+        return;
+    }
     window.plots_dock().setVisible(line.show == "plots");
     if (line.show == "world") window.scan_view().set_robot_frame(false);
     const QString dock = QString::fromStdString("action_" + line.show + "_dock");

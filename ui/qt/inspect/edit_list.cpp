@@ -11,10 +11,10 @@
 #include <optional>
 #include <utility>
 
-#include "hitos/capture/joined_tour.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "look/flow_layout.hpp"
 #include "look/parameter_text.hpp"
+#include "written_pose.hpp"
 
 namespace hitos::window {
 namespace {
@@ -31,14 +31,6 @@ QString words_of(const GraphEdit& edit) {
             return EditList::tr("Scan %1 is fixed").arg(scan);
         default:
             return EditList::tr("The step to scan %1 slipped").arg(scan);
-    }
-}
-
-std::optional<Pose> pose_of(const QLineEdit& line) {
-    try {
-        return start_of(line.text().remove(' ').toStdString());
-    } catch (const Error&) {
-        return std::nullopt;
     }
 }
 
@@ -83,9 +75,7 @@ EditList::EditList(Session& session, QWidget* parent) : QWidget(parent), session
     row->addWidget(fix_);
     at_ = new QLineEdit(bar);
     at_->setObjectName("edit_fix_at");
-    at_->setToolTip(tr("x, y [m] and heading [°] in the map"));
-    at_->setAccessibleName(at_->toolTip());
-    at_->setMinimumWidth(fontMetrics().horizontalAdvance("-100.000, -100.000, -180.00") + 16);
+    make_pose_line(*at_, tr("x, y [m] and heading [°] in the map"));
     row->addWidget(at_);
     before_ = new QPushButton(tr("As before"), bar);
     before_->setObjectName("edit_before");
@@ -128,10 +118,7 @@ void EditList::refresh() {
     if (snapshot && snapshot->steps > 0 &&
         (snapshot->steps != std::exchange(at_steps_, snapshot->steps) || !at_->isModified())) {
         const Pose& pose = snapshot->best_trajectory.back().pose;
-        at_->setText(QString("%1, %2, %3")
-                         .arg(pose.x, 0, 'f', 3)
-                         .arg(pose.y, 0, 'f', 3)
-                         .arg(pose.theta * kDegreesPerRadian, 0, 'f', 2));
+        at_->setText(pose_text(pose));
     }
     show_steps();
     show_effect();

@@ -159,6 +159,7 @@ FileKind kind_of(const QString& path) {
     QString name = QFileInfo(path).fileName().toLower();
     if (name.endsWith(".gz")) name.chop(3);
     if (name.endsWith(".cfg")) return FileKind::configuration;
+    if (name.endsWith(".g2o")) return FileKind::graph;
     if (const auto kind = known_reference(path))
         return *kind == ReferenceKind::map ? FileKind::map : FileKind::trajectory;
     if (name.endsWith(".map")) return FileKind::map;

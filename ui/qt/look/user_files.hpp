@@ -58,7 +58,8 @@ enum class FileKind {
     configuration,  ///< .cfg
     source,         ///< a log, or a world (.toml)
     map,            ///< .map: a reference
-    trajectory      ///< .tum: likewise
+    trajectory,     ///< .tum: likewise
+    graph           ///< .g2o: a graph of poses
 };
 /// By the file's ending; a .txt is whichever it reads as.
 FileKind kind_of(const QString& path);

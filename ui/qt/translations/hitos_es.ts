@@ -3186,6 +3186,10 @@
         <source>landmarks.radii: found none; leave the key out where a sensor tells the landmarks</source>
         <translation>landmarks.radii: no hay ninguno; omita la clave donde un sensor dice los hitos</translation>
     </message>
+    <message>
+        <source>holds the results of a run, which would not be what they were; choose another folder</source>
+        <translation>tiene los resultados de una ejecución, que dejarían de ser lo que eran; elija otra carpeta</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -5001,6 +5005,33 @@
     </message>
 </context>
 <context>
+    <name>PlanarEdge</name>
+    <message>
+        <source>Between poses</source>
+        <translation>Entre poses</translation>
+    </message>
+    <message>
+        <source>Point seen</source>
+        <translation>Punto visto</translation>
+    </message>
+    <message>
+        <source>Line seen</source>
+        <translation>Línea vista</translation>
+    </message>
+    <message>
+        <source>Known pose</source>
+        <translation>Pose conocida</translation>
+    </message>
+    <message>
+        <source>Known position</source>
+        <translation>Posición conocida</translation>
+    </message>
+    <message>
+        <source>Known point</source>
+        <translation>Punto conocido</translation>
+    </message>
+</context>
+<context>
     <name>Preset</name>
     <message>
         <source>Simulated tours</source>
@@ -6210,6 +6241,287 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::GraphModel</name>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Arista</translation>
+    </message>
+    <message>
+        <source>Error [σ]</source>
+        <translation>Error [σ]</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::GraphView</name>
+    <message>
+        <source>Graph</source>
+        <translation>Grafo</translation>
+    </message>
+    <message>
+        <source>path, by the poses&apos; ids</source>
+        <translation>camino, por los números de las poses</translation>
+    </message>
+    <message>
+        <source>other edges between poses</source>
+        <translation>otras aristas entre poses</translation>
+    </message>
+    <message>
+        <source>landmarks seen</source>
+        <translation>hitos vistos</translation>
+    </message>
+    <message>
+        <source>landmarks</source>
+        <translation>hitos</translation>
+    </message>
+    <message>
+        <source>known places</source>
+        <translation>lugares conocidos</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>fijo</translation>
+    </message>
+    <message>
+        <source>greatest errors</source>
+        <translation>errores mayores</translation>
+    </message>
+    <message>
+        <source>The graph is being read…</source>
+        <translation>Se está leyendo el grafo…</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::GraphWindow</name>
+    <message>
+        <source>Refused: the edges between %1 and %2</source>
+        <translation>Rechazadas: las aristas entre %1 y %2</translation>
+    </message>
+    <message>
+        <source>Closed: %1 seen from %2</source>
+        <translation>Cerrado: %1 vista desde %2</translation>
+    </message>
+    <message>
+        <source>Fixed: %1</source>
+        <translation>Fijada: %1</translation>
+    </message>
+    <message>
+        <source>Slipped: the step to %1</source>
+        <translation>Patinó: el paso a %1</translation>
+    </message>
+    <message>
+        <source>%1 – Graph</source>
+        <translation>%1 – Grafo</translation>
+    </message>
+    <message>
+        <source>Robust</source>
+        <translation>Robusto</translation>
+    </message>
+    <message>
+        <source>Edges far from the rest lose weight, as false ones are</source>
+        <translation>Las aristas que se apartan del resto, como hacen las falsas, pierden peso</translation>
+    </message>
+    <message>
+        <source>Greatest errors: </source>
+        <translation>Errores mayores: </translation>
+    </message>
+    <message>
+        <source>How many edges of the greatest errors are listed and marked</source>
+        <translation>Cuántas aristas de los errores mayores se enumeran y se marcan</translation>
+    </message>
+    <message>
+        <source>As in the file</source>
+        <translation>Como en el archivo</translation>
+    </message>
+    <message>
+        <source>Shows poses and landmarks where the file has them</source>
+        <translation>Muestra poses e hitos donde los tiene el archivo</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>Open changes…</source>
+        <translation>Abrir cambios…</translation>
+    </message>
+    <message>
+        <source>Changes by hand from a file, in the place of those that are made</source>
+        <translation>Cambios a mano de un archivo, en lugar de los que hay</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Guardar…</translation>
+    </message>
+    <message>
+        <source>Into a folder: the solved graph.g2o, its picture and its changes by hand (Ctrl+S)</source>
+        <translation>En una carpeta: el graph.g2o resuelto, su imagen y sus cambios a mano (Ctrl+S)</translation>
+    </message>
+    <message>
+        <source>Save as image…</source>
+        <translation>Guardar como imagen…</translation>
+    </message>
+    <message>
+        <source>Edges of the greatest errors</source>
+        <translation>Aristas de los errores mayores</translation>
+    </message>
+    <message>
+        <source>Pose A, by its id</source>
+        <translation>Pose A, por su número</translation>
+    </message>
+    <message>
+        <source>Pose B, by its id</source>
+        <translation>Pose B, por su número</translation>
+    </message>
+    <message>
+        <source>Refuse</source>
+        <translation>Rechazar</translation>
+    </message>
+    <message>
+        <source>Drops the edges between A and B</source>
+        <translation>Quita las aristas entre A y B</translation>
+    </message>
+    <message>
+        <source>Slip</source>
+        <translation>Patinó</translation>
+    </message>
+    <message>
+        <source>The step to A from the pose before it says next to nothing</source>
+        <translation>El paso a A desde la pose anterior no dice casi nada</translation>
+    </message>
+    <message>
+        <source>A seen from B: x, y [m] and heading [°]</source>
+        <translation>A vista desde B: x, y [m] y rumbo [°]</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>An edge more: A is seen from B there, as sure as an eye is</source>
+        <translation>Una arista más: A se ve ahí desde B, con la seguridad de un ojo</translation>
+    </message>
+    <message>
+        <source>A in the map: x, y [m] and heading [°]</source>
+        <translation>A en el mapa: x, y [m] y rumbo [°]</translation>
+    </message>
+    <message>
+        <source>Fix</source>
+        <translation>Fijar</translation>
+    </message>
+    <message>
+        <source>A is known to be there in the map</source>
+        <translation>Se sabe que A está ahí en el mapa</translation>
+    </message>
+    <message>
+        <source>Changes by hand</source>
+        <translation>Cambios a mano</translation>
+    </message>
+    <message>
+        <source>Take back the change</source>
+        <translation>Retirar el cambio</translation>
+    </message>
+    <message>
+        <source>The graph was not opened</source>
+        <translation>No se abrió el grafo</translation>
+    </message>
+    <message>
+        <source>The graph was not solved</source>
+        <translation>No se resolvió el grafo</translation>
+    </message>
+    <message>
+        <source>The change was not made</source>
+        <translation>No se hizo el cambio</translation>
+    </message>
+    <message>
+        <source>Open changes</source>
+        <translation>Abrir cambios</translation>
+    </message>
+    <message>
+        <source>Changes by hand (*.txt);;All files (*)</source>
+        <translation>Cambios a mano (*.txt);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>The changes were not opened</source>
+        <translation>No se abrieron los cambios</translation>
+    </message>
+    <message>
+        <source>Save graph: name of a new folder</source>
+        <translation>Guardar grafo: nombre de una carpeta nueva</translation>
+    </message>
+    <message>
+        <source>Graph saved: %1</source>
+        <translation>Grafo guardado: %1</translation>
+    </message>
+    <message>
+        <source>Close the graph without its changes by hand?</source>
+        <translation>¿Cerrar el grafo sin sus cambios a mano?</translation>
+    </message>
+    <message>
+        <source>They are written nowhere yet: “Save…” keeps them.</source>
+        <translation>Todavía no están escritos en ninguna parte: «Guardar…» los conserva.</translation>
+    </message>
+    <message>
+        <source>The graph is being read…</source>
+        <translation>Se está leyendo el grafo…</translation>
+    </message>
+    <message>
+        <source>Poses: %1, edges: %2.</source>
+        <translation>Poses: %1, aristas: %2.</translation>
+    </message>
+    <message>
+        <source>Passed over, and not written, for what they say is not known here: %1 of %2.</source>
+        <translation>No se leen ni se escriben, porque aquí no se conoce lo que dicen: %1 de %2.</translation>
+    </message>
+    <message>
+        <source>1 line</source>
+        <translation>1 línea</translation>
+    </message>
+    <message>
+        <source>%1 lines</source>
+        <translation>%1 líneas</translation>
+    </message>
+    <message>
+        <source>χ² %1 → %2, up to %3 m moved.</source>
+        <translation>χ² %1 → %2, se movió hasta %3 m.</translation>
+    </message>
+    <message>
+        <source>Nothing is fixed in %1 of %2 parts: one vertex of each is held, %3 first.</source>
+        <translation>Nada está fijo en %1 de %2 partes: se retiene un vértice de cada una, primero %3.</translation>
+    </message>
+    <message>
+        <source>Foreseen; it is being solved from the beginning.</source>
+        <translation>Previsto; se está resolviendo desde el principio.</translation>
+    </message>
+    <message>
+        <source>Further steps would still move the graph: are edges false? “Robust” takes their weight from those that are far from the rest.</source>
+        <translation>Más pasos aún moverían el grafo: ¿hay aristas falsas? «Robusto» quita peso a las que se apartan del resto.</translation>
+    </message>
+    <message>
+        <source>At work…</source>
+        <translation>Trabajando…</translation>
+    </message>
+    <message>
+        <source>The last change (Ctrl+Z)</source>
+        <translation>El último cambio (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>The change that was undone (Ctrl+Shift+Z)</source>
+        <translation>El cambio deshecho (Ctrl+Mayús+Z)</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::GridView</name>
     <message>
         <source>The map grows here, step by step, from where the robot is believed to be.</source>
@@ -7355,6 +7667,22 @@
     <message>
         <source>Another tour in the map of a run that was saved: the robot is found in it, and follows it or maps on</source>
         <translation>Otro recorrido en el mapa de una ejecución guardada: se encuentra en él al robot, que lo sigue o continúa el mapa</translation>
+    </message>
+    <message>
+        <source>Open graph…</source>
+        <translation>Abrir grafo…</translation>
+    </message>
+    <message>
+        <source>A graph of poses of any program (g2o), to be solved, changed by hand and written again</source>
+        <translation>Un grafo de poses de cualquier programa (g2o), para resolverlo, cambiarlo a mano y volver a escribirlo</translation>
+    </message>
+    <message>
+        <source>Open graph</source>
+        <translation>Abrir grafo</translation>
+    </message>
+    <message>
+        <source>Graphs of poses (*.g2o *.g2o.gz);;All files (*)</source>
+        <translation>Grafos de poses (*.g2o *.g2o.gz);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
