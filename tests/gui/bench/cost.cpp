@@ -17,6 +17,7 @@
 #include "hitos/base/thread_clock.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "measures.hpp"
+#include "probe.hpp"
 #include "session/background.hpp"
 #include "session/session.hpp"
 #include "views/grid_view.hpp"
@@ -25,19 +26,12 @@
 namespace hitos::window {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr quint64 kSliceSteps = 100;
-constexpr double kSlowestAnswerMs = 50.0;
 constexpr double kGreatestCost = 0.1;
 constexpr double kMostPictures = 60.0;
 constexpr double kSlowestJumpMs = 500.0;
 constexpr int kParticlesOfJumps = 100;
 constexpr double kMostKeptMb = 200.0;
-
-double seconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 /// What some steps took.
 struct Slice {
@@ -52,35 +46,6 @@ struct Figures {
     Slice shown;
     int pictures = 0;
     std::vector<double> answers_ms;
-};
-
-/// A thread asks the window's event loop, as a key press would, and notes when it answers.
-class Probe {
-  public:
-    Probe()
-        : thread_([this](const std::stop_token& stop) {
-              constexpr auto kPause = std::chrono::milliseconds(5);
-              while (!stop.stop_requested()) {
-                  const auto asked = Clock::now();
-                  QMetaObject::invokeMethod(
-                      &window_,
-                      [this, asked] { answers_ms_.push_back(seconds_since(asked) * 1e3); },
-                      Qt::QueuedConnection);
-                  std::this_thread::sleep_for(kPause);
-              }
-          }) {}
-
-    std::vector<double> finish() {
-        thread_.request_stop();
-        thread_.join();
-        QCoreApplication::processEvents();
-        return answers_ms_;
-    }
-
-  private:
-    QObject window_;                  // lives in the window's thread
-    std::vector<double> answers_ms_;  // only touched by the window's thread until it is over
-    std::jthread thread_;
 };
 
 Slice bare_slice(RunWorker& worker) {

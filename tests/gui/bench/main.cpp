@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window costs a run and how fast it answers; or how late a driven robot's scans are
-// mapped.
+// What the window costs a run and how fast it answers, a large graph too; or how late a driven
+// robot's scans are mapped.
 //
-// usage: build/release/bench/bench_window [--drive PACE] ARGUMENT...
+// usage: build/release/bench/bench_window [--drive PACE | --graph POSES] ARGUMENT...
 //
 // ARGUMENTs are those of `hitos`: a log to run with and without the window in turns, or, with
-// --drive, a world to drive through for half a minute, PACE times as fast as a clock. Needs no
-// display, and leaves the user's files alone. Exits with 1 where a limit is not kept.
+// --drive, a world to drive through for half a minute, PACE times as fast as a clock; with --graph
+// a made graph of that many poses is opened, changed and solved. Needs no display, and leaves the
+// user's files alone. Exits with 1 where a limit is not kept.
 
 #include <fmt/core.h>
 
@@ -38,19 +39,22 @@ using namespace hitos::window;
 
 constexpr QSize kSize(1360, 860);
 
-/// What --drive says, if it is there, and takes both arguments away; 0: no robot is driven,
-/// nothing: it says no pace.
-std::optional<int> taken_pace(int& argc, char** argv) {
-    if (argc < 2 || std::strcmp(argv[1], "--drive") != 0) return 0;
-    int pace = 0;
-    if (argc > 2) std::from_chars(argv[2], argv[2] + std::strlen(argv[2]), pace);
-    if (pace < 1 || pace > LiveDrive::kFastest) return std::nullopt;
+/// What an option says that stands first, if it is there, and takes both arguments away; 0: it is
+/// not, nothing: it says no number from 1 to that.
+std::optional<int> taken(const char* option, int most, int& argc, char** argv) {
+    if (argc < 2 || std::strcmp(argv[1], option) != 0) return 0;
+    int number = 0;
+    if (argc > 2) std::from_chars(argv[2], argv[2] + std::strlen(argv[2]), number);
+    if (number < 1 || number > most) {
+        fmt::print(stderr, "{}: expected a number from 1 to {}\n", option, most);
+        return std::nullopt;
+    }
     argc -= 2;
     std::copy(argv + 3, argv + argc + 2, argv + 1);
-    return pace;
+    return number;
 }
 
-int measure(UserFiles& files, const CommandLine& line, int pace) {
+int measure(UserFiles& files, const CommandLine& line, int pace, int poses) {
     Session session;
     NobodyThere nobody;
     MainWindow window(session, files, nobody);
@@ -58,6 +62,7 @@ int measure(UserFiles& files, const CommandLine& line, int pace) {
     window.run_keeper().set_long_run(std::numeric_limits<double>::infinity());
     open_named(window, line, Audience::nobody);
     if (nobody.warned()) return 1;
+    if (poses > 0) return measure_graph(window, poses);
     return pace > 0 ? measure_lateness(window, session, pace) : measure_cost(window, session);
 }
 
@@ -66,12 +71,11 @@ int measure(UserFiles& files, const CommandLine& line, int pace) {
 int main(int argc, char** argv) {
     hitos::prepare_process();
     try {
-        const std::optional<int> pace = taken_pace(argc, argv);
+        constexpr int kMostPoses = 1'000'000;
+        const std::optional<int> pace = taken("--drive", LiveDrive::kFastest, argc, argv);
+        const std::optional<int> poses = taken("--graph", kMostPoses, argc, argv);
+        if (!pace || !poses) return 2;
         CommandLine line;
-        if (!pace) {
-            fmt::print(stderr, "--drive: expected a pace from 1 to {}\n", LiveDrive::kFastest);
-            return 2;
-        }
         if (const auto code = parse(argc, argv, line)) return *code;
         if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
         QApplication application(argc, argv);
@@ -81,7 +85,7 @@ int main(int argc, char** argv) {
         UserFiles files(scratch.path());
         PaceControl::set_full_speed(files.settings());
         speak(application, "en");
-        const int code = measure(files, line, *pace);
+        const int code = measure(files, line, *pace, *poses);
         QThreadPool::globalInstance()->waitForDone();
         return code;
     } catch (const std::exception& error) {

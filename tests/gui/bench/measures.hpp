@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much the window costs, how fast it answers, and how late a driven robot's scans are mapped.
+// How much the window costs, how fast it answers (with a large graph too), and how late a driven
+// robot's scans are mapped.
 #pragma once
 
 #include <cstddef>
@@ -27,5 +28,10 @@ int measure_cost(MainWindow& window, Session& session);
 /// code: 0 where every scan came within 50 ms and the pace was kept. Throws hitos::Error where the
 /// session has no world.
 int measure_lateness(MainWindow& window, Session& session, int pace);
+
+/// Opens a made graph of so many poses in a window of its own, changes it by hand, solves it
+/// plainly and robustly and zooms, and prints how late input was answered meanwhile. Returns the
+/// exit code: 0 where every answer came within 50 ms.
+int measure_graph(MainWindow& window, int poses);
 
 }  // namespace hitos::window
