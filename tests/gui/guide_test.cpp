@@ -24,6 +24,7 @@
 #include "dialogs/source_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "gui_fixture.hpp"
+#include "inspect/graph_window.hpp"
 #include "look/markdown_page.hpp"
 #include "runs/runs.hpp"
 #include "tests.hpp"
@@ -276,6 +277,7 @@ void GuideTest::every_place_that_explains_is_there() {
     note(ExportDialog(f.window->grid_view().exportable(), f.files.settings(), f.window.get()));
     note(RunUntilDialog(f.session, f.files.settings(), f.window.get()));
     note(AnimationDialog(10, f.window.get()));
+    note(GraphWindow("none.g2o", f.files, f.prompts, f.window.get()));
     note(ImportDialog("hall.png", WallSource::picture, f.window.get()));
     show_skipped_lines(f.window.get(), "tour.log", {});
     note(WorldForm(WorldText::read(Fixture::source_file("data/worlds/bigloop.toml").toStdString()),
