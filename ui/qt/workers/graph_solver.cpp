@@ -137,7 +137,7 @@ void GraphSolver::solve(const PlacedEdits& edits, const GraphChoices& choices) {
                 return outcome_of([&] { return solve_graph(*from, edits, choices, stage, stop); });
             };
             if (from->solved.seconds > kSoon) {
-                const GraphOutcome foreseen = solved(ShownGraph::Stage::foreseen);
+                GraphOutcome foreseen = solved(ShownGraph::Stage::foreseen);
                 if (!foreseen.graph) return foreseen;
                 tell(foreseen);
             }
