@@ -133,6 +133,7 @@ bool Registration::Impl::foresee(const std::string& text) {
         weigh_loops();
     }
     correct(keys);
+    tell_edges(true);
     return true;
 }
 
@@ -163,10 +164,25 @@ void Registration::Impl::bend(const GraphEdit& edit) {
         case GraphEdit::Kind::fix:
             graph_.edges.push_back(edge_by_hand(edit));
             break;
+        case GraphEdit::Kind::wall:
+        case GraphEdit::Kind::point:
+            graph_.edges.push_back(anchor(edit));
+            expect_like_the_others(edit);
+            anchors_.push_back({edit, 0.0, explained_chi_square(1)});
+            break;
     }
 }
 
 void Registration::Impl::unbend(const GraphEdit& edit) {
+    if (edit.anchors()) {
+        const PoseEdge made = anchor(edit);
+        std::erase_if(graph_.edges, [&](const PoseEdge& edge) {
+            return edge.kind == EdgeKind::anchor && edge.to == made.to && edge.z == made.z &&
+                   edge.at == made.at;
+        });
+        std::erase_if(anchors_,
+                      [&](const NotedAnchor& one) { return same_change(one.edit, edit); });
+    }
     if (edit.has_pose()) {
         const PoseEdge made = edge_by_hand(edit);
         std::erase_if(graph_.edges, [&](const PoseEdge& edge) {

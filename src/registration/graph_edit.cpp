@@ -16,9 +16,11 @@ namespace hitos {
 namespace {
 
 /// In the order of GraphEdit::Kind.
-constexpr std::array<std::string_view, 4> kWords{"refuse", "close", "fix", "slip"};
+constexpr std::array<std::string_view, 6> kWords{"refuse", "close", "fix", "slip", "wall", "point"};
 constexpr double kMostScans = 1e15;
 constexpr double kFarthest = 1e6;         // [m]; no tour is longer
+constexpr double kFarthestDrawn = 1e8;    // [m]; no survey's coordinates are greater
+constexpr double kShortestWall = 0.1;     // [m]; of less nobody knows the direction
 constexpr std::size_t kMostEdits = 1000;  // each is compared with every other
 
 Message of_change(std::size_t number, const Message& why) {
@@ -56,15 +58,39 @@ std::optional<EditedScan> vertex_of(std::string_view word) {
     return id ? std::optional(EditedScan{*id}) : std::nullopt;
 }
 
+/// A number of a change, and how great it may be.
+struct Number {
+    double* value;
+    double greatest;
+};
+
+/// In the order of the text.
+std::vector<Number> numbers_of(GraphEdit& edit) {
+    constexpr double kTurn = 2.0 * kPi;
+    std::vector<Number> numbers;
+    const auto add = [&](Point2& at, double greatest) {
+        numbers.push_back({&at.x, greatest});
+        numbers.push_back({&at.y, greatest});
+    };
+    if (edit.has_pose())
+        return {{&edit.pose.x, kFarthest}, {&edit.pose.y, kFarthest}, {&edit.pose.theta, kTurn}};
+    if (edit.kind == GraphEdit::Kind::wall) numbers.push_back({&edit.bearing, kTurn});
+    if (edit.kind == GraphEdit::Kind::point) add(edit.seen, kFarthest);
+    if (edit.anchors()) add(edit.left, kFarthestDrawn);
+    if (edit.kind == GraphEdit::Kind::wall) add(edit.right, kFarthestDrawn);
+    return numbers;
+}
+
 GraphEdit edit_of(std::string_view text, std::size_t number, const Origin& of) {
     const auto expected = [&] {
         return of.of_scans()
                    ? message(HITOS_TEXT("Errors",
                                         "found %1; expected \"refuse SCAN EARLIER\", \"close SCAN "
-                                        "EARLIER X Y THETA\", \"fix SCAN X Y THETA\" or \"slip "
-                                        "SCAN\", scans counted from 1, as SCAN@STAMP where the "
-                                        "stamp is to be held, X and Y in metres, THETA in rad "
-                                        "from -2 pi to 2 pi"),
+                                        "EARLIER X Y THETA\", \"fix SCAN X Y THETA\", \"slip "
+                                        "SCAN\", \"wall SCAN BEARING X1 Y1 X2 Y2\" or \"point SCAN "
+                                        "DX DY X Y\", scans counted from 1, as SCAN@STAMP where "
+                                        "the stamp is to be held, X and Y in metres, THETA and "
+                                        "BEARING in rad from -2 pi to 2 pi"),
                              input::in_quotes(text))
                    : message(HITOS_TEXT("Errors",
                                         "found %1; expected \"refuse A B\", \"close A B X Y "
@@ -77,7 +103,8 @@ GraphEdit edit_of(std::string_view text, std::size_t number, const Origin& of) {
     const auto kind = words.empty() ? std::nullopt : edit_kind_of(words.front());
     if (!kind) of.fail(number, expected());
     GraphEdit edit{*kind, {}};
-    const std::size_t count = 2U + (edit.of_two() ? 1U : 0U) + (edit.has_pose() ? 3U : 0U);
+    const std::vector<Number> numbers = numbers_of(edit);
+    const std::size_t count = 2U + (edit.of_two() ? 1U : 0U) + numbers.size();
     if (words.size() != count) of.fail(number, expected());
     std::size_t next = 1;
     const auto take_scan = [&] {
@@ -88,13 +115,10 @@ GraphEdit edit_of(std::string_view text, std::size_t number, const Origin& of) {
     };
     edit.scan = take_scan();
     if (edit.of_two()) edit.earlier = take_scan();
-    if (edit.has_pose()) {
-        for (double* value : {&edit.pose.x, &edit.pose.y, &edit.pose.theta}) {
-            const auto read = input::parse_number(words[next++]);
-            const double greatest = value == &edit.pose.theta ? 2.0 * kPi : kFarthest;
-            if (!read || !(std::abs(*read) <= greatest)) of.fail(number, expected());
-            *value = *read;
-        }
+    for (const Number& wanted : numbers) {
+        const auto read = input::parse_number(words[next++]);
+        if (!read || !(std::abs(*read) <= wanted.greatest)) of.fail(number, expected());
+        *wanted.value = *read;
     }
     return edit;
 }
@@ -110,18 +134,30 @@ bool contradict(const GraphEdit& a, const GraphEdit& b, const Origin& of) {
         return (a.scan.scan == b.scan.scan && a.earlier.scan == b.earlier.scan) ||
                (!of.of_scans() && a.scan.scan == b.earlier.scan && a.earlier.scan == b.scan.scan);
     }
-    return a.kind == b.kind && a.scan.scan == b.scan.scan;
+    // A scan sees several walls.
+    return a.kind == b.kind && a.scan.scan == b.scan.scan && a.bearing == b.bearing &&
+           a.seen == b.seen;
 }
 
-/// Of scans, which have an order and begin where the map does.
-void check_order(const GraphEdit& edit, std::size_t number, const Origin& of) {
+/// Of scans, which have an order, begin where the map does and see walls.
+void check_of_scans(const GraphEdit& edit, std::size_t number, const Origin& of) {
     if (edit.of_two() && edit.earlier.scan >= edit.scan.scan) {
         of.fail(number, message(HITOS_TEXT("Errors",
                                            "scan %1 is said to come back to scan %2; expected an "
                                            "earlier one"),
                                 edit.scan.scan + 1, edit.earlier.scan + 1));
     }
-    if (!edit.of_two() && edit.scan.scan == 0) {
+    if (edit.kind == GraphEdit::Kind::wall) {
+        const double length_m = std::hypot(edit.right.x - edit.left.x, edit.right.y - edit.left.y);
+        if (length_m < kShortestWall) {
+            of.fail(number, message(HITOS_TEXT("Errors",
+                                               "the wall of the drawing has no direction, it is %1 "
+                                               "m long; expected two places on it, %2 m apart at "
+                                               "least"),
+                                    length_m, kShortestWall));
+        }
+    }
+    if (!edit.of_two() && !edit.anchors() && edit.scan.scan == 0) {
         of.fail(number, marked(HITOS_TEXT("Errors",
                                           "the first scan is where the map begins: it can "
                                           "neither be fixed elsewhere nor slip")));
@@ -131,7 +167,7 @@ void check_order(const GraphEdit& edit, std::size_t number, const Origin& of) {
 void check(std::span<const GraphEdit> edits, const Origin& of) {
     for (std::size_t i = 0; i < edits.size(); ++i) {
         const GraphEdit& edit = edits[i];
-        if (of.of_scans()) check_order(edit, i + 1, of);
+        if (of.of_scans()) check_of_scans(edit, i + 1, of);
         if (edit.of_two() && edit.earlier.scan == edit.scan.scan) {
             of.fail(i + 1, message(HITOS_TEXT("Errors", "names pose %1 twice; expected two poses"),
                                    edit.scan.scan));
@@ -202,13 +238,11 @@ FormatError wrong_edit(const PlacedEdits& edits, std::size_t number, const Messa
 
 std::string text_of(std::span<const GraphEdit> edits) {
     std::string text;
-    for (const GraphEdit& edit : edits) {
+    for (GraphEdit edit : edits) {
         if (!text.empty() && text.back() != '\n') text += "; ";
         text += fmt::format("{} {}", word_of(edit.kind), text_of(edit.scan));
         if (edit.of_two()) text += " " + text_of(edit.earlier);
-        if (edit.has_pose()) {
-            text += fmt::format(" {} {} {}", edit.pose.x, edit.pose.y, edit.pose.theta);
-        }
+        for (const Number& number : numbers_of(edit)) text += fmt::format(" {}", *number.value);
         if (!edit.comment.empty()) text += " # " + edit.comment + "\n";
     }
     return text;
@@ -220,7 +254,8 @@ void check_graph_edits(std::span<const GraphEdit> edits) {
 
 bool same_change(const GraphEdit& a, const GraphEdit& b) {
     return a.kind == b.kind && a.scan.scan == b.scan.scan && a.earlier.scan == b.earlier.scan &&
-           a.pose == b.pose;
+           a.pose == b.pose && a.bearing == b.bearing && a.seen == b.seen && a.left == b.left &&
+           a.right == b.right;
 }
 
 std::uint64_t untouched_scans(std::span<const GraphEdit> before, std::span<const GraphEdit> after,
@@ -229,7 +264,8 @@ std::uint64_t untouched_scans(std::span<const GraphEdit> before, std::span<const
     const auto is_key = [&](std::uint64_t scan) {
         return std::ranges::binary_search(keys, scan) &&
                std::ranges::none_of(before, [&](const GraphEdit& edit) {
-                   return edit.has_pose() && (edit.scan.scan == scan || edit.earlier.scan == scan);
+                   return edit.needs_keys() &&
+                          (edit.scan.scan == scan || edit.earlier.scan == scan);
                });
     };
     std::uint64_t first = std::numeric_limits<std::uint64_t>::max();

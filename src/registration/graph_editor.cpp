@@ -59,7 +59,7 @@ void GraphEditor::check_end(std::uint64_t scans) const {
 
 bool GraphEditor::needs_key(std::uint64_t scan) const {
     return std::ranges::any_of(edits_, [&](const GraphEdit& edit) {
-        return edit.has_pose() &&
+        return edit.needs_keys() &&
                (edit.scan.scan == scan || (edit.of_two() && edit.earlier.scan == scan));
     });
 }
@@ -73,10 +73,11 @@ bool GraphEditor::slipped(std::uint64_t scan) {
     return slipped;
 }
 
-std::vector<GraphEdit> GraphEditor::of_newest(const KeyGraph& graph) {
+std::vector<GraphEdit> GraphEditor::of_newest(const KeyGraph& graph, bool placed) {
     std::vector<GraphEdit> found;
     for (std::size_t i = 0; i < edits_.size(); ++i) {
-        if (!edits_[i].has_pose() || edits_[i].scan.scan != graph.poses.back().scan) continue;
+        if (!edits_[i].needs_keys() || edits_[i].scan.scan != graph.poses.back().scan) continue;
+        if (edits_[i].anchors() && !placed) continue;
         met_[i] = true;
         found.push_back(edits_[i]);
     }

@@ -30,8 +30,9 @@ class GraphEditor {
     bool needs_key(std::uint64_t scan) const;
     /// Whether the step to the scan has slipped.
     bool slipped(std::uint64_t scan);
-    /// The changes of `close` and `fix` of the graph's newest key.
-    std::vector<GraphEdit> of_newest(const KeyGraph& graph);
+    /// The changes of the graph's newest key that put edges into it; where nobody knows where it
+    /// lies in the map (not `placed`) no anchors.
+    std::vector<GraphEdit> of_newest(const KeyGraph& graph, bool placed);
     /// Whether a loop, of the graph's newest key, is refused: by the refusal of which scan. What is
     /// found after it and says the same of where the robot is, is refused with it.
     std::optional<std::uint64_t> refuses(const KeyGraph& graph, const LoopFound& loop);

@@ -23,9 +23,8 @@ void KeyGraph::cut(std::size_t begin) {
     if (!std::ranges::binary_search(cuts_, begin))
         cuts_.insert(std::ranges::upper_bound(cuts_, begin), begin);
     const auto across = [&](std::size_t a, std::size_t b) { return (a < begin) != (b < begin); };
-    std::erase_if(edges, [&](const PoseEdge& edge) {
-        return edge.kind != EdgeKind::by_hand && across(edge.from, edge.to);
-    });
+    std::erase_if(edges,
+                  [&](const PoseEdge& edge) { return !edge.said() && across(edge.from, edge.to); });
     for (std::size_t key = 0; key < size(); ++key) {
         std::erase_if(joined_[key], [&](std::uint32_t other) { return across(key, other); });
     }

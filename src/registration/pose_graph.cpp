@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hitos/registration/laid_drawing.hpp"
 #include "hitos/registration/pose_algebra.hpp"
 #include "hitos/registration/pose_graph_solver.hpp"
 
@@ -13,14 +14,21 @@ namespace hitos {
 EdgeError edge_error(const PoseEdge& edge, const Pose& from, const Pose& to) {
     const double c = std::cos(from.theta);
     const double s = std::sin(from.theta);
-    const double dx = to.x - from.x;
-    const double dy = to.y - from.y;
+    const bool elsewhere = edge.at.x != 0.0 || edge.at.y != 0.0;
+    Point2 lever;  // from the origin of `to` to the place, in world axes
+    if (elsewhere) lever = transform(Pose{0.0, 0.0, to.theta}, edge.at);
+    const double dx = to.x + lever.x - from.x;
+    const double dy = to.y + lever.y - from.y;
     const double ahead = c * dx + s * dy;
     const double left = -s * dx + c * dy;
     EdgeError error;
     error.value << ahead - edge.z.x, left - edge.z.y,
         wrap_angle(to.theta - from.theta - edge.z.theta);
     error.by_to << c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0;
+    if (elsewhere) {
+        error.by_to(0, 2) = s * lever.x - c * lever.y;
+        error.by_to(1, 2) = s * lever.y + c * lever.x;
+    }
     error.by_from << -c, -s, left, s, -c, -ahead, 0.0, 0.0, -1.0;
     return error;
 }
@@ -37,11 +45,23 @@ double greatest_move(std::span<const KeyPose> before, std::span<const KeyPose> a
 PoseGraphSolver::PoseGraphSolver(std::size_t keys, std::span<const PoseEdge> edges)
     : edges_(edges) {
     for (std::size_t i = 0; i < keys; ++i) equations_.add_variable(3);
+    const auto anchor = std::ranges::find(edges, EdgeKind::anchor, &PoseEdge::kind);
+    if (anchor == edges.end()) return;
+    drawing_ = equations_.add_variable(3);
+    origin_ = {anchor->z.x, anchor->z.y};
 }
 
 void PoseGraphSolver::sum(const std::vector<KeyPose>& keys, bool robust, std::size_t used) {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
         const PoseEdge& edge = edges_[i];
+        if (edge.kind == EdgeKind::anchor) {
+            // Which keeps its weight, wherever the drawing lies.
+            const EdgeError error = edge_error(from_origin(edge), laid_, keys[edge.to].pose);
+            const double weight = i < used ? 1.0 : 0.0;
+            equations_.add(edge.to, error.by_to, *drawing_, error.by_from,
+                           weight * edge.information, error.value);
+            continue;
+        }
         const EdgeError error = edge_error(edge, keys[edge.from].pose, keys[edge.to].pose);
         const double d2 = error.value.dot(edge.information * error.value);
         double weight = i < used ? 1.0 : 0.0;
@@ -52,6 +72,14 @@ void PoseGraphSolver::sum(const std::vector<KeyPose>& keys, bool robust, std::si
         equations_.add(edge.from, error.by_from, edge.to, error.by_to, weight * edge.information,
                        error.value);
     }
+}
+
+/// Coordinates of surveys are millions of metres, by which no turn of the drawing may move it.
+PoseEdge PoseGraphSolver::from_origin(const PoseEdge& anchor) const {
+    PoseEdge edge = anchor;
+    edge.z.x -= origin_.x;
+    edge.z.y -= origin_.y;
+    return edge;
 }
 
 double PoseGraphSolver::greatest_step(std::size_t keys) const {
@@ -78,6 +106,7 @@ double PoseGraphSolver::solve(std::vector<KeyPose>& keys, const GraphSolution& h
     if (keys.size() < 2 || edges_.empty()) return 0.0;
 
     const std::vector<KeyPose> before = keys;
+    if (drawing_) laid_ = compose(laid_drawing(keys, edges_)->pose, {origin_.x, origin_.y, 0.0});
     double greatest = 0.0;
     bool factored = true;
     for (int iteration = 0; iteration < how.iterations;) {
@@ -88,6 +117,7 @@ double PoseGraphSolver::solve(std::vector<KeyPose>& keys, const GraphSolution& h
             for (std::size_t i = 1; i < keys.size(); ++i) {
                 equations_.hold(i, i < how.held ? kHeld : kRegular);
             }
+            if (drawing_) equations_.hold(*drawing_, kRegular);
         } else {
             equations_.begin_gradient();
         }
@@ -102,6 +132,7 @@ double PoseGraphSolver::solve(std::vector<KeyPose>& keys, const GraphSolution& h
         for (std::size_t i = how.held; i < keys.size(); ++i) {
             keys[i].pose = shifted(keys[i].pose, equations_.step(i));
         }
+        if (drawing_) laid_ = shifted(laid_, equations_.step(*drawing_));
         if (greatest < kStill) break;
         factored = greatest >= kSmall;
     }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hitos/base/thread_crew.hpp"
+#include "hitos/registration/laid_drawing.hpp"
 #include "hitos/registration/odometry_step.hpp"
 #include "hitos/registration/pose_algebra.hpp"
 #include "hitos/registration/pose_graph_solver.hpp"
@@ -68,10 +69,11 @@ RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control
             if (!carried_.empty()) find_piece(before);
         }
         if (!before.empty()) correct(before);
+        tell_edges(!before.empty());
         clock_.ends(RegistrationStage::closing);
     }
     out.keys = graph_.poses;
-    out.edges = graph_.edges;
+    out.edges = told_edges();
     clock_.ends(RegistrationStage::matching);
     return out;
 }
@@ -252,8 +254,7 @@ LoopVerdict Registration::Impl::close(const LoopFound& found, LoopRecord& record
     solver.solve(graph_.poses, solution(6, false), first);
     const double tension_before = tension(known);
     solver.solve(graph_.poses, solution(6, false));
-    // What three standard deviations in each direction explain, and the new edges' own.
-    record.chi_square_limit = 3.0 * 9.0 + 3.0 * static_cast<double>(graph_.edges.size() - first);
+    record.chi_square_limit = explained_chi_square(graph_.edges.size() - first);
     record.chi_square = tension(graph_.edges) - tension_before;
     if (*record.chi_square > *record.chi_square_limit) {
         graph_.edges.resize(first);
@@ -268,15 +269,17 @@ LoopVerdict Registration::Impl::close(const LoopFound& found, LoopRecord& record
 
 /// Sum of the squared Mahalanobis distances of edges.
 double Registration::Impl::tension(std::span<const PoseEdge> edges) const {
+    const auto drawing = laid_drawing(graph_.poses, edges);
     double sum = 0.0;
-    for (const PoseEdge& edge : edges) sum += squared_distance(edge);
+    for (const PoseEdge& edge : edges) sum += squared_distance(edge, drawing);
     return sum;
 }
 
-/// Mahalanobis distance, squared, of an edge.
-double Registration::Impl::squared_distance(const PoseEdge& edge) const {
-    const Eigen::Vector3d error =
-        edge_error(edge, graph_.poses[edge.from].pose, graph_.poses[edge.to].pose).value;
+/// Mahalanobis distance, squared, of an edge; of an anchor where the drawing lies.
+double Registration::Impl::squared_distance(const PoseEdge& edge,
+                                            const std::optional<LaidDrawing>& drawing) const {
+    const Pose& from = edge.kind == EdgeKind::anchor ? drawing->pose : graph_.poses[edge.from].pose;
+    const Eigen::Vector3d error = edge_error(edge, from, graph_.poses[edge.to].pose).value;
     return error.dot(edge.information * error);
 }
 
@@ -302,8 +305,35 @@ void Registration::Impl::finish(bool another_follows) {
     for (int pass = 0; pass < params_.final_passes; ++pass) register_anew(older);
     weigh_loops();
     correct(before);
+    tell_edges(true);
     closer_.forget();
     clock_.ends(RegistrationStage::smoothing);
+}
+
+/// Anchors are edges from the first key for who knows no drawing, as soon as they say anything of
+/// how keys lie to each other. `anew` where more has changed than that edges came to the graph's.
+void Registration::Impl::tell_edges(bool anew) {
+    if (anchors_.empty()) return;
+    const auto drawing = laid_drawing(graph_.poses, graph_.edges);
+    if (anew || told_of_ > graph_.edges.size()) {
+        told_.clear();
+        told_of_ = 0;
+    }
+    const bool tie = drawing->firm && std::ranges::any_of(anchors_, [&](const NotedAnchor& one) {
+                         return one.edit.scan.scan != anchors_.front().edit.scan.scan;
+                     });
+    for (; told_of_ < graph_.edges.size(); ++told_of_) {
+        const PoseEdge& edge = graph_.edges[told_of_];
+        if (edge.kind != EdgeKind::anchor) {
+            told_.push_back(edge);
+        } else if (tie && edge.to > 0) {
+            told_.push_back(edge_from_first(edge, graph_.poses.front(), *drawing));
+        }
+    }
+}
+
+std::span<const PoseEdge> Registration::Impl::told_edges() const {
+    return anchors_.empty() ? std::span<const PoseEdge>(graph_.edges) : told_;
 }
 
 /// Every key's scan against its neighbours as they lie now. The first pass finds out which are near
@@ -359,7 +389,7 @@ void Registration::Impl::weigh_loops() {
     for (const PoseEdge& edge : graph_.edges) {
         if (edge.kind != EdgeKind::loop && edge.kind != EdgeKind::by_hand) continue;
         Weights& weights = by_scan[graph_.poses[edge.to].scan];
-        weights.sum += edge_weight(edge, squared_distance(edge));
+        weights.sum += edge_weight(edge, squared_distance(edge, std::nullopt));
         ++weights.edges;
     }
     for (LoopRecord& loop : loops_) {
@@ -384,6 +414,8 @@ RegistrationFigures Registration::Impl::figures() const {
     figures.keys = graph_.size();
     figures.loop_searches = closer_.searches();
     figures.edits_unmet = editor_.unmet();
+    figures.drawing = laid_drawing(graph_.poses, graph_.edges);
+    figures.anchors = anchor_figures();
     figures.loops_refused = static_cast<std::uint64_t>(std::ranges::count_if(
         refused_, [](const LoopRecord& loop) { return loop.verdict != LoopVerdict::alone; }));
     return figures;
@@ -443,10 +475,13 @@ std::span<const KeyPose> Registration::keys() const {
     return impl_->graph().poses;
 }
 std::span<const PoseEdge> Registration::edges() const {
-    return impl_->graph().edges;
+    return impl_->told_edges();
 }
 double Registration::chi_square() const {
     return impl_->chi_square();
+}
+std::optional<LaidDrawing> Registration::drawing() const {
+    return laid_drawing(impl_->graph().poses, impl_->graph().edges);
 }
 RegistrationFigures Registration::figures() const {
     return impl_->figures();

@@ -1,31 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What somebody changes by hand in a registration.
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "hitos/base/error.hpp"
+#include "hitos/registration/laid_drawing.hpp"
 #include "hitos/registration/pose_graph_solver.hpp"
 #include "registration_impl.hpp"
+#include "wall_finder.hpp"
 
 namespace hitos {
 
 /// What somebody says of the newest key. `before` takes the keys as they were where it moves them.
 void Registration::Impl::edit_graph(std::vector<KeyPose>& before) {
-    const std::vector<GraphEdit> edits = editor_.of_newest(graph_);
+    const bool placed = tour_not_found(0) == carried_.end();
+    const std::vector<GraphEdit> edits = editor_.of_newest(graph_, placed);
     if (edits.empty()) return;
-    before = graph_.poses;
+    if (graph_.size() > 1) before = graph_.poses;
     const std::size_t first_edge = graph_.edges.size();
     const std::size_t first_loop = loops_.size();
     for (const GraphEdit& edit : edits) {
-        PoseEdge edge = edge_by_hand(edit);
+        if (edit.anchors()) {
+            graph_.edges.push_back(anchor(edit));
+            expect_like_the_others(edit);
+            continue;
+        }
+        const PoseEdge edge = edge_by_hand(edit);
         lay_where_said(compose(graph_.poses[edge.from].pose, edge.z), edge.from);
         graph_.edges.push_back(edge);
         if (edit.kind == GraphEdit::Kind::fix) continue;
         loops_.push_back(loop_by_hand(edit, edge));
         graph_.join(edge.from, edge.to);
         believe(edge.from);
+    }
+    if (graph_.size() < 2) {
+        note_anchors(edits, 0.0, 0);
+        return;
     }
     PoseGraphSolver solver(graph_.size(), graph_.edges);
     solver.solve(graph_.poses, solution(6, false), first_edge);
@@ -38,6 +52,7 @@ void Registration::Impl::edit_graph(std::vector<KeyPose>& before) {
         loop.chi_square = bent;
         loop.move_m = move_m;
     }
+    note_anchors(edits, bent, graph_.edges.size() - first_edge);
     figures_.largest_correction_m = std::max(figures_.largest_correction_m, move_m);
     closer_.forget();
 }
@@ -77,6 +92,99 @@ void Registration::Impl::lay_where_said(const Pose& pose, std::size_t from) {
     lay_piece(pose);
     note_found(*tour, graph_.poses.back().scan);
     believe(from);
+}
+
+/// That what a scan sees is in a drawing. Of a scan that is no key, which only what is foreseen
+/// names, the key that it hangs on sees it.
+PoseEdge Registration::Impl::anchor(const GraphEdit& edit) const {
+    const Placed& placed = placed_[edit.scan.scan];
+    const bool key = graph_.poses[placed.key].scan == edit.scan.scan;
+    const Pose pose_key_scan = key ? Pose{} : placed.pose_key_scan;
+    const Eigen::Vector3d information = sigmas_by_hand(edit.kind).cwiseAbs2().cwiseInverse();
+    PoseEdge edge;
+    edge.kind = EdgeKind::anchor;
+    edge.to = placed.key;
+    if (edit.kind == GraphEdit::Kind::point) {
+        edge.at = transform(pose_key_scan, edit.seen);
+        edge.z = {edit.left.x, edit.left.y, 0.0};
+        edge.information.diagonal().head<2>() = information.head<2>();
+        return edge;
+    }
+    const auto wall = find_wall(graph_.scans[placed.key].points(), pose_key_scan, edit.bearing);
+    if (!wall) {
+        throw ConfigError(kGraphEditsKey,
+                          HITOS_TEXT("Errors",
+                                     "change %1: scan %2 sees no straight wall of half a metre in "
+                                     "the direction of %3 rad (%4 degrees to the left of ahead)"),
+                          number_of(edit), edit.scan.scan + 1, edit.bearing,
+                          edit.bearing * 180.0 / kPi);
+    }
+    edge.at = wall->middle();
+    const Point2 way{edit.right.x - edit.left.x, edit.right.y - edit.left.y};
+    const double length_m = std::hypot(way.x, way.y);
+    const double seen = std::atan2(wall->right.y - wall->left.y, wall->right.x - wall->left.x);
+    edge.z = {0.5 * (edit.left.x + edit.right.x), 0.5 * (edit.left.y + edit.right.y),
+              wrap_angle(std::atan2(way.y, way.x) - seen)};
+    // Across the wall; along it the scan may slide.
+    const Eigen::Vector2d across(-way.y / length_m, way.x / length_m);
+    edge.information.topLeftCorner<2, 2>() = information(0) * across * across.transpose();
+    edge.information(2, 2) = information(2);
+    return edge;
+}
+
+std::size_t Registration::Impl::number_of(const GraphEdit& edit) const {
+    const auto found = std::ranges::find_if(
+        editor_.edits(), [&](const GraphEdit& one) { return same_change(one, edit); });
+    return static_cast<std::size_t>(found - editor_.edits().begin()) + 1;
+}
+
+/// Beyond half a right angle it is another wall, and the graph would not know which way to turn.
+void Registration::Impl::expect_like_the_others(const GraphEdit& edit) const {
+    constexpr double kMost = 0.25 * kPi;
+    if (edit.kind != GraphEdit::Kind::wall) return;
+    const std::span others = std::span(graph_.edges).first(graph_.edges.size() - 1);
+    const bool told = std::ranges::any_of(others, [](const PoseEdge& edge) {
+        return edge.kind == EdgeKind::anchor && edge.information(2, 2) > 0.0;
+    });
+    if (!told) return;
+    const PoseEdge& edge = graph_.edges.back();
+    const double turned =
+        edge_error(edge, laid_drawing(graph_.poses, others)->pose, graph_.poses[edge.to].pose)
+            .value(2);
+    if (std::abs(turned) <= kMost) return;
+    throw ConfigError(
+        kGraphEditsKey,
+        HITOS_TEXT("Errors",
+                   "change %1: the wall that scan %2 sees is turned by %3 degrees against that of "
+                   "the drawing, as the walls before it lay the drawing, and at most 45 are taken; "
+                   "is it another wall, or are its ends the wrong way round? The first is the left "
+                   "one, as the robot sees it"),
+        number_of(edit), edit.scan.scan + 1, std::round(turned * 180.0 / kPi));
+}
+
+void Registration::Impl::note_anchors(std::span<const GraphEdit> edits, double bent,
+                                      std::size_t edges) {
+    for (const GraphEdit& edit : edits) {
+        if (edit.anchors()) anchors_.push_back({edit, bent, explained_chi_square(edges)});
+    }
+}
+
+std::vector<AnchorFigures> Registration::Impl::anchor_figures() const {
+    std::vector<AnchorFigures> figures;
+    const auto drawing = laid_drawing(graph_.poses, graph_.edges);
+    for (const NotedAnchor& noted : anchors_) {
+        const PoseEdge edge = anchor(noted.edit);
+        const Eigen::Vector3d error =
+            edge_error(edge, drawing->pose, graph_.poses[edge.to].pose).value;
+        const Eigen::Matrix3d& known = edge.information;
+        const double sigma_m = sigmas_by_hand(noted.edit.kind)(0);
+        const double off_m =
+            sigma_m * std::sqrt(error.head<2>().dot(known.topLeftCorner<2, 2>() * error.head<2>()));
+        figures.push_back({number_of(noted.edit) - 1, noted.edit.scan.scan, off_m,
+                           known(2, 2) > 0.0 ? std::optional(error(2)) : std::nullopt, noted.bent,
+                           noted.limit});
+    }
+    return figures;
 }
 
 LoopRecord Registration::Impl::fitted_loop(std::uint64_t scan, std::uint64_t earlier,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graph_editor.hpp"
+#include "hitos/registration/laid_drawing.hpp"
 #include "hitos/registration/odometry_step.hpp"
 #include "hitos/registration/pose_graph_solver.hpp"
 #include "hitos/registration/registration.hpp"
@@ -46,12 +47,13 @@ class Registration::Impl {
     const KeyGraph& graph() const { return graph_; }
     const std::vector<LoopRecord>& loops() const { return loops_; }
     const std::vector<LoopRecord>& refused_loops() const { return refused_; }
+    std::span<const PoseEdge> told_edges() const;
     double chi_square() const { return tension(graph_.edges); }
     RegistrationFigures figures() const;
     std::vector<ChangedPlace> changes() const;
     std::optional<PathCorrection> correction() const {
         if (corrections_.empty()) return std::nullopt;
-        return PathCorrection{corrections_, graph_.poses, graph_.edges, held_ > 0};
+        return PathCorrection{corrections_, graph_.poses, told_edges(), held_ > 0};
     }
 
   private:
@@ -59,6 +61,13 @@ class Registration::Impl {
     struct Placed {
         std::uint32_t key;
         Pose pose_key_scan;
+    };
+
+    /// An anchor in the graph, by how much it has bent it, and how much of that the graph explains.
+    struct NotedAnchor {
+        GraphEdit edit;
+        double bent;
+        double limit;
     };
 
     /// Where a scan was placed, from what the robot may have driven.
@@ -95,6 +104,12 @@ class Registration::Impl {
     }
     void edit_graph(std::vector<KeyPose>& before);
     PoseEdge edge_by_hand(const GraphEdit& edit) const;
+    PoseEdge anchor(const GraphEdit& edit) const;
+    std::size_t number_of(const GraphEdit& edit) const;
+    void expect_like_the_others(const GraphEdit& edit) const;
+    void note_anchors(std::span<const GraphEdit> edits, double bent, std::size_t edges);
+    std::vector<AnchorFigures> anchor_figures() const;
+    void tell_edges(bool anew);
     LoopRecord loop_by_hand(const GraphEdit& edit, const PoseEdge& edge);
     bool reaches_far(const GraphEdit& edit) const;
     void bend(const GraphEdit& edit);
@@ -103,7 +118,12 @@ class Registration::Impl {
     void say_of_step(std::uint64_t scan, std::span<const GraphEdit> edits);
     void weigh_loops();
     double tension(std::span<const PoseEdge> edges) const;
-    double squared_distance(const PoseEdge& edge) const;
+    double squared_distance(const PoseEdge& edge, const std::optional<LaidDrawing>& drawing) const;
+    /// What closing something may add to the tension: three standard deviations in each direction,
+    /// and the new edges' own.
+    static double explained_chi_square(std::size_t edges) {
+        return 3.0 * 9.0 + 3.0 * static_cast<double>(edges);
+    }
     std::size_t newest_in_map() const { return static_cast<std::size_t>(params_.key_scans); }
     void correct(const std::vector<KeyPose>& keys_before);
     void register_anew(std::vector<std::vector<std::uint32_t>>& older);
@@ -138,6 +158,9 @@ class Registration::Impl {
     std::vector<Pose> corrections_;  // by scan, of the last add() or finish()
     std::vector<LoopRecord> loops_;
     std::vector<LoopRecord> refused_;
+    std::vector<NotedAnchor> anchors_;
+    std::vector<PoseEdge> told_;  // the graph's edges for who knows no drawing, where there is one
+    std::size_t told_of_ = 0;     // how many of the graph's they are
     RegistrationFigures figures_;
     RegistrationClock clock_;
 };

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <string>
 #include <tuple>
@@ -21,6 +22,7 @@
 #include "hitos/services/tracing/wall_tracing.hpp"
 #include "hitos/simulation/drawings/dxf_walls.hpp"
 #include "hitos/simulation/worlds/disturbance.hpp"
+#include "hitos/simulation/worlds/world.hpp"
 
 namespace hitos {
 namespace {
@@ -136,6 +138,7 @@ std::vector<Polyline> walls_of_drawing(const std::filesystem::path& file,
     const bool starts_far =
         options.start && std::hypot(options.start->x, options.start->y) > kSurvey;
     DxfOptions dxf{options.layer, options.unit_m, starts_far ? kFarthest : kSurvey};
+    if (options.in_place) dxf.far_m = std::numeric_limits<double>::infinity();
     DxfWalls drawn = read_dxf_walls(file, dxf);
     // Of a run's own map.dxf the layer of its segments: neither the path nor regions are walls.
     const auto has = [&](const char* layer) {
@@ -273,6 +276,16 @@ std::vector<Polyline> import_walls(const std::filesystem::path& source,
             source.string(), 0,
             HITOS_TEXT("Errors", "found no wall; expected straight walls of some length"));
     }
+    return walls;
+}
+
+std::vector<Polyline> walls_as_drawn(const std::filesystem::path& source, ImportOptions options,
+                                     ImportReport* report) {
+    options.in_place = true;
+    if (wall_source(source) != WallSource::world) return import_walls(source, options, report);
+    if (!options.layer.empty() || options.unit_m) refuse_layer_and_unit(source);
+    std::vector<Polyline> walls;
+    for (const WallSegment& wall : read_world(source).walls) walls.push_back({wall.a, wall.b});
     return walls;
 }
 

@@ -325,6 +325,8 @@ class InspectTest : public QObject {
     void a_loop_that_nobody_found_is_proposed();
     void a_step_that_slipped_is_listed_and_taken_back();
     void a_scan_is_fixed_where_somebody_says();
+    void a_scan_is_anchored_to_a_drawing();
+    void points_are_anchored_by_their_coordinates();
     void without_registration_there_are_no_loops();
     void the_joint_covariance_is_a_picture();
     void the_poses_uncertainty_is_drawn();

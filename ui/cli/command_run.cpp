@@ -138,6 +138,11 @@ void tell_summary(const RunSummary& summary, const std::string& folder, const Re
                                [](const RunLoop& loop) { return loop.record.verdict; });
         if (by_hand + refused > 0)
             report.say("  by hand {} closed and {} refused\n", by_hand, refused);
+        if (figures->drawing && figures->drawing->firm) {
+            const Pose& at = figures->drawing->pose;
+            report.say("  anchored to a drawing that lies at {:.3f}, {:.3f} m, {:.2f} degrees\n",
+                       at.x, at.y, at.theta * 180.0 / kPi);
+        }
         if (const LoopPrecision precision = precision_of(summary.quality.loops);
             precision.judged > 0) {
             report.say("  {} of {} of them false, the worst {:.2f} m and {:.2f} rad off\n",

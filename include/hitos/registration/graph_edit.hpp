@@ -31,21 +31,33 @@ struct GraphEdit {
                  ///< neighbours
         close,   ///< it has: `pose` is that of `scan` seen from `earlier`
         fix,     ///< `scan` was made at `pose` of the map
-        slip     ///< what the odometry says of the step to `scan` says nothing
+        slip,    ///< what the odometry says of the step to `scan` says nothing
+        wall,    ///< the wall that `scan` sees at `bearing` is one of a drawing, from `left` to
+                 ///< `right`
+        point    ///< what `scan` has at `seen` is `left` of a drawing
     };
     Kind kind = Kind::refuse;
     EditedScan scan;
     EditedScan earlier = {};   ///< of refuse and close
     Pose pose = {};            ///< of close and fix [m, m, rad]
     std::string comment = {};  ///< why, or empty; on one line
+    double bearing = 0.0;      ///< of wall, in the robot's frame [rad]
+    Point2 seen = {};          ///< of point, in the robot's frame [m]
+    /// Of wall, in the drawing's own frame: two places on it, as the robot sees them; of point the
+    /// first alone [m].
+    Point2 left = {};
+    Point2 right = {};
 
     bool of_two() const { return kind == Kind::refuse || kind == Kind::close; }
     bool has_pose() const { return kind == Kind::close || kind == Kind::fix; }
+    bool anchors() const { return kind == Kind::wall || kind == Kind::point; }
+    /// Whether its scans have to be keys.
+    bool needs_keys() const { return has_pose() || anchors(); }
     friend bool operator==(const GraphEdit&, const GraphEdit&) = default;
 };
 
 /// Standard deviations of what somebody says [m, m, rad]: as sure as an eye lays passages on each
-/// other, and as one is of a place that is known.
+/// other, or walls are where they are drawn, and as one is of a place that is known.
 inline Eigen::Vector3d sigmas_by_hand(GraphEdit::Kind kind) {
     return kind == GraphEdit::Kind::fix ? Eigen::Vector3d(0.01, 0.01, 0.002)
                                         : Eigen::Vector3d(0.05, 0.05, 0.01);
@@ -56,10 +68,12 @@ std::string_view word_of(GraphEdit::Kind kind);
 /// Nothing for another word.
 std::optional<GraphEdit::Kind> edit_kind_of(std::string_view word);
 
-/// Of "refuse 812@65.25 40; close 900 37 0.1 -0.2 1.57; fix 30 1 2 0; slip 55": changes with
-/// semicolons or line ends between, each of a word, its scans, counted from 1, with their stamps
-/// [s] where they are known, and its pose; # begins a comment, which the change before it on its
-/// line keeps. Throws ConfigError of kGraphEditsKey that says which one is wrong.
+/// Of "refuse 812@65.25 40; close 900 37 0.1 -0.2 1.57; fix 30 1 2 0; slip 55; wall 70 1.57 0 9 4
+/// 9; point 80 2 -1 4 9": changes with semicolons or line ends between, each of a word, its scans,
+/// counted from 1, with their stamps [s] where they are known, and its numbers: a pose, a bearing
+/// and a wall's left and right end, or a place seen and in the drawing; # begins a comment, which
+/// the change before it on its line keeps. Throws ConfigError of kGraphEditsKey that says which one
+/// is wrong.
 std::vector<GraphEdit> parse_graph_edits(std::string_view text);
 /// Reads back as the same, to the last bit.
 std::string text_of(std::span<const GraphEdit> edits);

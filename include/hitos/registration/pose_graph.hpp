@@ -19,23 +19,30 @@ enum class EdgeKind : std::uint8_t {
     odometry,  ///< what the wheels say from one key to the next
     scan,      ///< what the key's scan says against a key not long ago
     loop,      ///< what it says against one of an earlier passage
-    by_hand    ///< what somebody says: it keeps its weight, however far the rest is from it
+    by_hand,   ///< what somebody says: it keeps its weight, however far the rest is from it
+    anchor     ///< the same of a place in a drawing, wherever the drawing lies
 };
 
 /// The pose of key `to` as key `from` saw it, with its information (the inverse of its covariance)
 /// of (x, y, theta) in the axes of `from` [1/m^2, 1/m^2, 1/rad^2]; singular where a corridor leaves
-/// a direction unknown.
+/// a direction unknown. Of an anchor the drawing stands for `from`: z and the axes are those of its
+/// frame, which no key says anything of (LaidDrawing).
 struct PoseEdge {
     std::uint32_t from = 0;
     std::uint32_t to = 0;
     Pose z;
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
     EdgeKind kind = EdgeKind::odometry;
+    /// The place, in the frame of `to`, whose position is meant [m].
+    Point2 at = {};
+
+    /// Whether somebody has said it.
+    bool said() const { return kind == EdgeKind::by_hand || kind == EdgeKind::anchor; }
 };
 
 /// The error of an edge and its derivatives by both poses.
 struct EdgeError {
-    Eigen::Vector3d value;    ///< (x, y, theta) of from^-1 to, less z [m, m, rad]
+    Eigen::Vector3d value;    ///< (x, y, theta) of from^-1 to, at its place, less z [m, m, rad]
     Eigen::Matrix3d by_from;  ///< d(value)/d(from)
     Eigen::Matrix3d by_to;    ///< d(value)/d(to)
 };

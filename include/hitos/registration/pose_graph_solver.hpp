@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,10 +26,10 @@ inline double robust_loss(double mahalanobis_squared) {
 
 /// The same of an edge: what somebody says keeps its weight.
 inline double edge_weight(const PoseEdge& edge, double mahalanobis_squared) {
-    return edge.kind == EdgeKind::by_hand ? 1.0 : robust_weight(mahalanobis_squared);
+    return edge.said() ? 1.0 : robust_weight(mahalanobis_squared);
 }
 inline double edge_loss(const PoseEdge& edge, double mahalanobis_squared) {
-    return edge.kind == EdgeKind::by_hand ? mahalanobis_squared : robust_loss(mahalanobis_squared);
+    return edge.said() ? mahalanobis_squared : robust_loss(mahalanobis_squared);
 }
 
 /// The furthest that a key has moved [m].
@@ -42,7 +43,8 @@ struct GraphSolution {
 };
 
 /// Moves keys to where the edges' errors, squared and weighted, are least: Gauss-Newton with a
-/// sparse Cholesky factorisation, the first key held. It stops where no key moves a millimetre.
+/// sparse Cholesky factorisation, the first key held. It stops where no key moves a millimetre. The
+/// drawing of anchors goes where they and the keys have it.
 class PoseGraphSolver {
   public:
     /// `edges` have to stay while it is used. What depends on them alone, the order in which keys
@@ -61,9 +63,14 @@ class PoseGraphSolver {
   private:
     void sum(const std::vector<KeyPose>& keys, bool robust, std::size_t used);
     double greatest_step(std::size_t keys) const;
+    PoseEdge from_origin(const PoseEdge& anchor) const;
 
     std::span<const PoseEdge> edges_;
     NormalEquations equations_;
+    // Of the drawing, where there are anchors, about a place in it.
+    std::optional<std::size_t> drawing_;
+    Point2 origin_;
+    Pose laid_;  // in the world, of a frame at the origin with the drawing's axes
 };
 
 /// One PoseGraphSolver's one solution.

@@ -15,6 +15,7 @@
 #include "hitos/features/control.hpp"
 #include "hitos/registration/changed_place.hpp"
 #include "hitos/registration/graph_edit.hpp"
+#include "hitos/registration/laid_drawing.hpp"
 #include "hitos/registration/loop_record.hpp"
 #include "hitos/registration/registered_step.hpp"
 #include "hitos/registration/registration_params.hpp"
@@ -28,6 +29,17 @@ struct SecondTour {
     double way_m = 0.0;                  ///< driven until then
     /// Its first scan that was laid in the map: behind a break, what comes before lies beside it.
     std::uint64_t laid_from = 0;
+};
+
+/// What an anchor to a drawing came to.
+struct AnchorFigures {
+    std::uint64_t change = 0;       ///< its place among the changes by hand, from 0
+    std::uint64_t scan = 0;         ///< from 0
+    double off_m = 0.0;             ///< what is seen from what is drawn, of a wall across it
+    std::optional<double> off_rad;  ///< likewise the directions of a wall
+    /// What the anchors of its scan added to the graph's tension, and what its edges explain.
+    double chi_square = 0.0;
+    double chi_square_limit = 0.0;
 };
 
 /// What a run may be trusted for, without any truth.
@@ -46,6 +58,8 @@ struct RegistrationFigures {
     /// loops that nobody has found, scans that have not come.
     std::vector<std::uint64_t> edits_unmet;
     std::vector<SecondTour> later_tours = {};
+    std::vector<AnchorFigures> anchors = {};  ///< in the order of the tour
+    std::optional<LaidDrawing> drawing = {};  ///< that they anchor the map to
 };
 
 /// What a registration does, in this order: looks for points, matches a scan and makes a key of
@@ -109,9 +123,13 @@ class Registration {
     const std::vector<LoopRecord>& loops() const;  ///< that were closed
     const std::vector<LoopRecord>& refused_loops() const;
     std::span<const KeyPose> keys() const;
+    /// With anchors as edges by hand from the first key, as soon as they say anything of the path.
     std::span<const PoseEdge> edges() const;
     /// How much the graph is bent: the sum of its edges' squared Mahalanobis distances.
     double chi_square() const;
+    /// Where the anchors among the changes by hand have their drawing; nothing where there are
+    /// none.
+    std::optional<LaidDrawing> drawing() const;
     RegistrationFigures figures() const;
     /// Of two tours what is gone and what is new, larger than half a metre and more than 0.3 m off
     /// what was there; nothing where the second was not found. It takes some seconds for thousands

@@ -26,6 +26,7 @@ struct ImportOptions {
     /// Of the robot in the world; nothing: of a world its own, else the origin, where maps and
     /// grids of runs begin.
     std::optional<Pose> start;
+    bool in_place = false;  ///< a drawing keeps its coordinates, however far they are
 };
 
 /// What became of what is no wall, and of a drawing's unit and place (DxfWalls).
@@ -50,6 +51,10 @@ WallSource wall_source(const std::filesystem::path& source);
 /// is found or the source is a world.
 std::vector<Polyline> import_walls(const std::filesystem::path& source,
                                    const ImportOptions& options, ImportReport* report = nullptr);
+
+/// The same to be laid on a map: in place, and those of a world too.
+std::vector<Polyline> walls_as_drawn(const std::filesystem::path& source, ImportOptions options,
+                                     ImportReport* report = nullptr);
 
 /// A world file of the source's walls, to the millimetre where they come from a picture or a run,
 /// with a comment that names the source, and of the start; walls that end where another begins are

@@ -188,6 +188,53 @@ void warn_of_scale(const DrivenBy& driven, std::vector<Advice>& warnings) {
     }
 }
 
+std::vector<std::uint64_t> numbers_of(std::span<const AnchorFigures> anchors) {
+    std::vector<std::uint64_t> numbers;
+    numbers.reserve(anchors.size());
+    for (const AnchorFigures& anchor : anchors) numbers.push_back(anchor.change);
+    return numbers;
+}
+
+/// That anchors to a drawing bend the map more than anything else in it explains, contradict each
+/// other, or say nothing.
+void warn_of_anchors(const RegistrationFigures& figures, std::vector<Advice>& warnings) {
+    constexpr double kOff_m = 0.15;  // three standard deviations
+    constexpr double kOff_rad = 0.03;
+    if (!figures.drawing) return;
+    if (!figures.drawing->firm) {
+        warn(
+            warnings,
+            HITOS_TEXT("Advice",
+                       "The anchors (%1 of the changes by hand) do not say where the drawing lies: "
+                       "it takes two walls that are not parallel, two points, or one of each, and "
+                       "further ones to bend the map."),
+            counted(numbers_of(figures.anchors)));
+        return;
+    }
+    std::vector<AnchorFigures> strained;
+    std::vector<AnchorFigures> off;
+    for (const AnchorFigures& anchor : figures.anchors) {
+        if (anchor.chi_square > anchor.chi_square_limit) strained.push_back(anchor);
+        if (anchor.off_m > kOff_m || std::abs(anchor.off_rad.value_or(0.0)) > kOff_rad)
+            off.push_back(anchor);
+    }
+    if (!off.empty()) {
+        warn(
+            warnings,
+            HITOS_TEXT("Advice",
+                       "Anchors contradict each other or the map (%1 of the changes by hand): what "
+                       "was seen does not lie where the drawing has it. Is each of them the right "
+                       "wall?"),
+            counted(numbers_of(off)));
+    } else if (!strained.empty()) {
+        warn(warnings,
+             HITOS_TEXT("Advice",
+                        "Anchors bend the map more than its edges explain (%1 of the changes by "
+                        "hand): is each of them the right wall, and do walls meet?"),
+             counted(numbers_of(strained)));
+    }
+}
+
 void warn_of_registration(const Registration& registration, const Trajectory& odometry,
                           std::vector<Advice>& warnings) {
     const RegistrationFigures figures = registration.figures();
@@ -262,6 +309,7 @@ void warn_of_registration(const Registration& registration, const Trajectory& od
                         "nobody has found, or scans that the tour has not come to."),
              counted(figures.edits_unmet));
     }
+    warn_of_anchors(figures, warnings);
     if (registration.loops().empty() && driven.path_m > kLongWithoutLoop) {
         warn(warnings,
              HITOS_TEXT("Advice",

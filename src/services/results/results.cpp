@@ -60,6 +60,25 @@ ordered_json json_of(const MeasuredDistance& measured) {
     return json;
 }
 
+/// The drawing that the map is anchored to, in the map's frame, and what each anchor came to.
+ordered_json json_of_drawing(const RegistrationFigures& figures) {
+    ordered_json json{{"firm", figures.drawing->firm},
+                      {"x", figures.drawing->pose.x},
+                      {"y", figures.drawing->pose.y},
+                      {"theta", figures.drawing->pose.theta}};
+    json["anchors"] = ordered_json::array();
+    for (const AnchorFigures& anchor : figures.anchors) {
+        ordered_json& one = json["anchors"].emplace_back();
+        one["change"] = anchor.change + 1;
+        one["scan"] = anchor.scan + 1;
+        one["off_m"] = anchor.off_m;
+        if (anchor.off_rad) one["off_rad"] = *anchor.off_rad;
+        one["chi_square"] = anchor.chi_square;
+        one["chi_square_limit"] = anchor.chi_square_limit;
+    }
+    return json;
+}
+
 ordered_json json_of(const RunQuality& quality) {
     ordered_json json;
     if (quality.cells_per_point) {
@@ -86,6 +105,7 @@ ordered_json json_of(const RunQuality& quality) {
         json["loop_searches"] = figures->loop_searches;
         json["loops_refused"] = figures->loops_refused;
         json["largest_correction_m"] = figures->largest_correction_m;
+        if (figures->drawing) json["drawing"] = json_of_drawing(*figures);
         if (const LoopPrecision precision = precision_of(quality.loops); precision.judged > 0) {
             json["loops_judged"] = precision.judged;
             json["loops_false"] = precision.wrong;

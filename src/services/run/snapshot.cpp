@@ -44,6 +44,7 @@ Snapshot snapshot_of(const Algoritmo& run, const SnapshotParts& parts) {
         if (parts.key_scans) {
             snapshot.key_scans = run.key_scans();
             snapshot.chi_square = registration->chi_square();
+            snapshot.drawing = registration->drawing();
         }
     }
     if (run.finished()) {

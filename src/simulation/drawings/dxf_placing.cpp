@@ -166,7 +166,7 @@ void place(std::vector<Wall> walls, const Unit& unit, double far_m, DxfWalls& re
                          std::clamp(0.0, box.low.y, box.high.y)};
     const double most = std::max(
         {std::abs(box.low.x), std::abs(box.high.x), std::abs(box.low.y), std::abs(box.high.y)});
-    if (distance(nearest, {}) > far_m || most > kFarthest) {
+    if (std::isfinite(far_m) && (distance(nearest, {}) > far_m || most > kFarthest)) {
         result.moved = {std::floor(box.low.x), std::floor(box.low.y)};
         result.warnings.push_back(
             message(HITOS_TEXT("Errors",

@@ -44,6 +44,11 @@ class PlanarEditor {
             case EditKind::slip:
                 slip(pose);
                 break;
+            case EditKind::wall:
+            case EditKind::point:
+                fail(marked(HITOS_TEXT("Errors",
+                                       "a graph from a file has no scans that see a wall or point "
+                                       "of a drawing; \"fix\" holds a pose at a known place")));
         }
     }
 

@@ -31,7 +31,13 @@ TEST(GraphEdit, ReadsWhatItWrites) {
         {GraphEdit::Kind::refuse, {811, 65.25}, {39}},
         {GraphEdit::Kind::close, {899}, {36, -1.0 / 3.0}, {0.1, -1.0 / 7.0, 3.0}},
         {GraphEdit::Kind::fix, {29, 1e9 + 0.125}, {}, {1.0, 2.0, 0.0}},
-        {GraphEdit::Kind::slip, {54}}};
+        {GraphEdit::Kind::slip, {54}},
+        {.kind = GraphEdit::Kind::wall,
+         .scan = {0, 0.5},
+         .bearing = -1.0 / 3.0,
+         .left = {691000.25, 5334000.125},
+         .right = {691004.0, 5334000.125}},
+        {.kind = GraphEdit::Kind::point, .scan = {7}, .seen = {2.0, -0.1}, .left = {1e-3, 9.0}}};
     const std::string text = text_of(edits);
     EXPECT_EQ(parse_graph_edits(text), edits);
     EXPECT_EQ(text_of(parse_graph_edits(text)), text);
@@ -60,16 +66,40 @@ TEST(GraphEdit, ScansBeforeAChangeAreUntouched) {
     EXPECT_EQ(untouched("fix 13 0 0 0", "fix 13 0 0 1"), 12U);
     // A key for its own sake stays one; a scan that becomes one is a change.
     EXPECT_EQ(untouched("", "close 13 5 0 0 0"), 12U);
+    EXPECT_EQ(untouched("", "wall 13 1 0 0 4 0"), 12U);
+    EXPECT_EQ(untouched("point 13 1 0 4 0", "point 13 1 0 4 1"), 12U);
     EXPECT_EQ(untouched("", "close 13 6 0 0 0"), 5U);
     EXPECT_EQ(untouched("close 13 5 0 0 0", ""), 4U) << "it may have been made one by the change";
 }
 
 TEST(GraphEdit, WhatIsNoneIsRefusedWithItsPlace) {
-    for (const char* text :
-         {"open 3 1", "refuse 3", "refuse 3 1 2", "refuse 0 1", "refuse 3.5 1", "refuse -3 1",
-          "refuse 3@ 1", "refuse 3@x 1", "refuse 3@nan 1", "refuse 1e300 1", "close 3 1 0 0",
-          "close 3 1 0 0 inf", "close 3 1 0 0 7", "fix 3 1e7 0 0", "fix 3 1,5 0 0", "slip",
-          "slip @3"}) {
+    for (const char* text : {"open 3 1",
+                             "refuse 3",
+                             "refuse 3 1 2",
+                             "refuse 0 1",
+                             "refuse 3.5 1",
+                             "refuse -3 1",
+                             "refuse 3@ 1",
+                             "refuse 3@x 1",
+                             "refuse 3@nan 1",
+                             "refuse 1e300 1",
+                             "close 3 1 0 0",
+                             "close 3 1 0 0 inf",
+                             "close 3 1 0 0 7",
+                             "fix 3 1e7 0 0",
+                             "fix 3 1,5 0 0",
+                             "slip",
+                             "slip @3",
+                             "wall 3 1 0 0 4",
+                             "wall 3 1 0 0 4 0 0",
+                             "wall 3 7 0 0 4 0",
+                             "wall 3 1 0 0 4 nan",
+                             "wall 3 1 0 0 2e8 0",
+                             "wall 3 2 1 0 0 4 0",
+                             "point 3 1 2 3",
+                             "point 3 1 2 3 4 5",
+                             "point 3 1e7 0 0 0",
+                             "point 3 1 0 x 0"}) {
         EXPECT_THAT(said_of(std::string("slip 9; ") + text), HasSubstr("change 2: found")) << text;
     }
     EXPECT_THAT(said_of("refuse 3 3"), HasSubstr("expected an earlier one"));
@@ -78,6 +108,11 @@ TEST(GraphEdit, WhatIsNoneIsRefusedWithItsPlace) {
     EXPECT_THAT(said_of("refuse 5 2; slip 3; close 5 2 0 0 0"),
                 HasSubstr("change 3: is of the same scans as change 1"));
     EXPECT_THAT(said_of("slip 3; slip 3"), HasSubstr("change 1"));
+    EXPECT_THAT(said_of("slip 3; wall 3 1 5 5 5.05 5"),
+                HasSubstr("change 2: the wall of the drawing has no direction"));
+    EXPECT_THAT(said_of("wall 3 1 0 0 4 0; wall 3 1 0 9 4 9"), HasSubstr("as change 1"));
+    EXPECT_THAT(said_of("point 3 1 0 4 0; point 3 1 0 9 4"), HasSubstr("as change 1"));
+    EXPECT_EQ(said_of("wall 1 1 0 0 4 0; wall 1 2 0 0 0 4; point 1 0 0 1 1; point 1 0 1 1 2"), "");
     std::string many;
     for (int i = 2; i < 1100; ++i) many += "slip " + std::to_string(i) + ";";
     EXPECT_THAT(said_of(many), HasSubstr("more than 1000"));

@@ -124,18 +124,21 @@ void solve_densely(std::vector<KeyPose>& keys, const std::vector<PoseEdge>& edge
 TEST(PoseGraph, JacobiansAreThoseOfNumericalDifferentiation) {
     const Pose from{-3.0, 7.0, 2.8};
     const Pose to{1.0, 4.5, -2.9};
-    const PoseEdge edge{0, 1, {0.3, -0.2, 0.4}, Matrix3d::Identity(), EdgeKind::scan};
-    const EdgeError error = edge_error(edge, from, to);
-    constexpr double kSmall = 1e-6;
-    for (int c = 0; c < 3; ++c) {
-        const Vector3d by_from = (edge_error(edge, moved(from, c, kSmall), to).value -
-                                  edge_error(edge, moved(from, c, -kSmall), to).value) /
-                                 (2 * kSmall);
-        const Vector3d by_to = (edge_error(edge, from, moved(to, c, kSmall)).value -
-                                edge_error(edge, from, moved(to, c, -kSmall)).value) /
-                               (2 * kSmall);
-        EXPECT_LT((error.by_from.col(c) - by_from).norm(), 1e-8) << "component " << c;
-        EXPECT_LT((error.by_to.col(c) - by_to).norm(), 1e-8) << "component " << c;
+    PoseEdge edge{0, 1, {0.3, -0.2, 0.4}, Matrix3d::Identity(), EdgeKind::scan};
+    for (const Point2 at : {Point2{}, Point2{2.5, -1.25}}) {
+        edge.at = at;
+        const EdgeError error = edge_error(edge, from, to);
+        constexpr double kSmall = 1e-6;
+        for (int c = 0; c < 3; ++c) {
+            const Vector3d by_from = (edge_error(edge, moved(from, c, kSmall), to).value -
+                                      edge_error(edge, moved(from, c, -kSmall), to).value) /
+                                     (2 * kSmall);
+            const Vector3d by_to = (edge_error(edge, from, moved(to, c, kSmall)).value -
+                                    edge_error(edge, from, moved(to, c, -kSmall)).value) /
+                                   (2 * kSmall);
+            EXPECT_LT((error.by_from.col(c) - by_from).norm(), 1e-8) << "component " << c;
+            EXPECT_LT((error.by_to.col(c) - by_to).norm(), 1e-8) << "component " << c;
+        }
     }
 }
 

@@ -316,6 +316,17 @@ void MainWindow::connect_views() {
     connect(inspection_, &Inspection::picture_wanted, results_, &ResultActions::save_figure);
     connect(inspection_, &Inspection::edits_wanted, configuration_,
             [this](const QString& edits) { configuration_->use_edits(edits.toStdString()); });
+    connect(inspection_, &Inspection::drawing_wanted, this, [this] {
+        const QString path = prompts_.open_file(
+            this, {tr("Drawing to anchor to"),
+                   files_.folder_to_open("world"),
+                   tr("All of them (*.dxf *.toml *.map *.txt);;Drawings (*.dxf);;"
+                      "Worlds (*.toml);;Maps and segments (*.map *.txt)"),
+                   {}});
+        if (path.isEmpty()) return;
+        files_.note_opened("world", path);
+        inspection_->open_drawing(path);
+    });
     connect(view_settings_, &ViewSettings::layers_changed, inspection_, &Inspection::set_layers);
     inspection_->set_layers(view_settings_->layers());
     connect(&session_, &Session::restarted, this, [this] { set_highlight({}); });

@@ -11,6 +11,8 @@
 #include <optional>
 #include <utility>
 
+#include "anchor_dialog.hpp"
+#include "hitos/capture/joined_tour.hpp"
 #include "hitos/services/evaluation/measures.hpp"
 #include "look/flow_layout.hpp"
 #include "look/parameter_text.hpp"
@@ -29,6 +31,13 @@ QString words_of(const GraphEdit& edit) {
             return EditList::tr("Closed: scan %1 has come back to %2").arg(scan, earlier);
         case GraphEdit::Kind::fix:
             return EditList::tr("Scan %1 is fixed").arg(scan);
+        case GraphEdit::Kind::wall:
+            return EditList::tr("Scan %1 is anchored to a wall of the drawing").arg(scan);
+        case GraphEdit::Kind::point:
+            return EditList::tr("Scan %1 is anchored to the point %2, %3 of the drawing")
+                .arg(scan)
+                .arg(edit.left.x, 0, 'f', 2)
+                .arg(edit.left.y, 0, 'f', 2);
         default:
             return EditList::tr("The step to scan %1 slipped").arg(scan);
     }
@@ -77,6 +86,12 @@ EditList::EditList(Session& session, QWidget* parent) : QWidget(parent), session
     at_->setObjectName("edit_fix_at");
     make_pose_line(*at_, tr("x, y [m] and heading [°] in the map"));
     row->addWidget(at_);
+    anchor_ = new QPushButton(tr("Anchor…"), bar);
+    anchor_->setObjectName("edit_anchor");
+    anchor_->setToolTip(
+        tr("A wall or point of the scan that is shown is one of a drawing, or has known "
+           "coordinates: the map bends to it"));
+    row->addWidget(anchor_);
     before_ = new QPushButton(tr("As before"), bar);
     before_->setObjectName("edit_before");
     before_->setCheckable(true);
@@ -88,6 +103,7 @@ EditList::EditList(Session& session, QWidget* parent) : QWidget(parent), session
     effect_->setWordWrap(true);
     column->addWidget(effect_);
     connect(before_, &QPushButton::toggled, &session_, &Session::show_before);
+    connect(anchor_, &QPushButton::clicked, this, &EditList::show_anchors);
     connect(fix_, &QPushButton::clicked, this, &EditList::note_fix);
     connect(at_, &QLineEdit::returnPressed, fix_, &QPushButton::click);
     connect(at_, &QLineEdit::textChanged, this, &EditList::show_steps);
@@ -139,6 +155,7 @@ void EditList::show_steps() {
     fix_->setText(tr("Fix scan %1 at").arg(steps));
     fix_->setEnabled(steps > 1 && !said(GraphEdit::Kind::fix) && pose_of(*at_));
     at_->setEnabled(steps > 1);
+    anchor_->setEnabled(steps > 0);
 }
 
 /// What the last change made of the error, where a reference is known, and of the graph.
@@ -173,6 +190,26 @@ void EditList::show_effect() {
     effect_->setText((after->foreseen ? tr("Foreseen, the scans are taken anew: %1.")
                                       : tr("By the last change: %1."))
                          .arg(words.join(", ")));
+    if (anchors_ != nullptr) anchors_->tell(effect_->text());
+}
+
+void EditList::show_anchors() {
+    if (anchors_ == nullptr) {
+        anchors_ = new AnchorDialog(session_, window());
+        connect(anchors_, &AnchorDialog::drawing_wanted, this, &EditList::drawing_wanted);
+        connect(anchors_, &AnchorDialog::anchored, this, [this](const GraphEdit& anchor) {
+            std::vector<GraphEdit> edits = edits_of(session_);
+            edits.push_back(anchor);
+            emit edits_wanted(to_qt(text_of(edits)));
+        });
+    }
+    anchors_->show();
+    anchors_->raise();
+    anchors_->activateWindow();
+}
+
+void EditList::open_drawing(const QString& path) {
+    if (anchors_ != nullptr) anchors_->open_drawing(path);
 }
 
 void EditList::take_back() {

@@ -16,6 +16,8 @@ class QPushButton;
 
 namespace hitos::window {
 
+class AnchorDialog;
+
 /// In sight where there is something to take back. A step that slipped and a scan that is fixed
 /// where it lies are said here too, and what the last change made of the map.
 class EditList final : public QWidget {
@@ -26,12 +28,16 @@ class EditList final : public QWidget {
 
     /// As the session has them.
     void refresh();
+    /// Of the file that drawing_wanted() asks for.
+    void open_drawing(const QString& path);
 
   signals:
     /// registration.edits
     void edits_wanted(QString edits);
+    void drawing_wanted();
 
   private:
+    void show_anchors();
     void take_back();
     void note_slip();
     void note_fix();
@@ -46,6 +52,8 @@ class EditList final : public QWidget {
     QPushButton* fix_;
     QLineEdit* at_;
     std::uint64_t at_steps_ = 0;  // whose place stands there
+    QPushButton* anchor_;
+    AnchorDialog* anchors_ = nullptr;  // once somebody has asked for it
     QPushButton* before_;
     QLabel* effect_;
 };

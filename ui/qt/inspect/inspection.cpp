@@ -44,8 +44,13 @@ Inspection::Inspection(Session& session, const DockPlace& place)
     connect(joint_, &JointCovariance::picture_wanted, this,
             [this] { emit picture_wanted(joint_->exportable()); });
     connect(loops_, &LoopTable::edits_wanted, this, &Inspection::edits_wanted);
+    connect(loops_, &LoopTable::drawing_wanted, this, &Inspection::drawing_wanted);
     connect(loops_, &LoopTable::picture_wanted, this,
             [this] { emit picture_wanted(loops_->view().exportable()); });
+}
+
+void Inspection::open_drawing(const QString& path) {
+    loops_->open_drawing(path);
 }
 
 void Inspection::connect_views(ScanView& scan, GridView& grid) {

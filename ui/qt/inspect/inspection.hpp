@@ -30,6 +30,7 @@ class Inspection final : public QObject {
     void connect_views(ScanView& scan, GridView& grid);
     void set_highlight(const hitos::window::PickedLandmark& picked);
     void set_layers(const LayerSet& layers);
+    void open_drawing(const QString& path);
 
   signals:
     void landmark_chosen(hitos::window::PickedLandmark landmark);
@@ -37,6 +38,8 @@ class Inspection final : public QObject {
     void map_wanted(int particle);
     void path_wanted(int particle);
     void edits_wanted(QString edits);
+    /// For open_drawing().
+    void drawing_wanted();
     void picture_wanted(const hitos::window::Exportable& figure);
 
   private:

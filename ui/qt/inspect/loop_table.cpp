@@ -104,6 +104,7 @@ LoopTable::LoopTable(Session& session, QWidget* parent)
     edits_ = new EditList(session, there_);
     inside->addWidget(edits_);
     connect(edits_, &EditList::edits_wanted, this, &LoopTable::edits_wanted);
+    connect(edits_, &EditList::drawing_wanted, this, &LoopTable::drawing_wanted);
     column->addWidget(there_, 1);
     none_ = new QLabel(this);
     none_->setObjectName("no_loops");
@@ -283,6 +284,10 @@ void LoopTable::change() {
     view_->let_go();
     measured_.reset();
     emit edits_wanted(to_qt(text_of(next)));
+}
+
+void LoopTable::open_drawing(const QString& path) {
+    edits_->open_drawing(path);
 }
 
 void LoopTable::fit() {

@@ -43,12 +43,16 @@ class LoopTable final : public QWidget {
     bool takes_places() const;
     /// The scan made nearest to it is the later one of a loop, then the earlier one.
     void take_place(const QPointF& world_m);
+    /// Whose walls the run is to be anchored to.
+    void open_drawing(const QString& path);
 
   signals:
     /// It is chosen and in sight; nothing: none is.
     void loop_shown(std::optional<hitos::RunLoop> loop);
     /// The graph is to be changed by hand: registration.edits.
     void edits_wanted(QString edits);
+    /// For open_drawing().
+    void drawing_wanted();
     void picture_wanted();
 
   protected:

@@ -99,6 +99,18 @@
         <source>%1 of the scans show no wall and no corner: of trees and posts, which are round, landmarks are made where features.circles is on.</source>
         <translation>El %1 de los barridos no muestra ninguna pared ni esquina: de árboles y postes, que son redondos, se hacen hitos donde features.circles está activado.</translation>
     </message>
+    <message>
+        <source>The anchors (%1 of the changes by hand) do not say where the drawing lies: it takes two walls that are not parallel, two points, or one of each, and further ones to bend the map.</source>
+        <translation>Las anclas (la %1 de los cambios a mano) no dicen dónde está el dibujo: hacen falta dos paredes que no sean paralelas, dos puntos o una de cada, y otras más para doblar el mapa.</translation>
+    </message>
+    <message>
+        <source>Anchors contradict each other or the map (%1 of the changes by hand): what was seen lies up to %2 m from where the drawing has it. Is each of them the right wall?</source>
+        <translation>Hay anclas que se contradicen entre sí o con el mapa (la %1 de los cambios a mano): lo visto queda hasta a %2 m de donde lo tiene el dibujo. ¿Es cada una la pared correcta?</translation>
+    </message>
+    <message>
+        <source>Anchors bend the map more than its edges explain (%1 of the changes by hand; chi-square %2, and %3 is usual): look whether each is the right wall, and walls meet.</source>
+        <translation>Hay anclas que doblan el mapa más de lo que explican sus aristas (la %1 de los cambios a mano; chi cuadrado %2, y lo corriente es %3): mire si cada una es la pared correcta y si las paredes casan.</translation>
+    </message>
 </context>
 <context>
     <name>Associations</name>
@@ -3051,10 +3063,6 @@
         <translation>no tiene ningún cambio a mano; se esperaba %1 con uno al menos</translation>
     </message>
     <message>
-        <source>found %1; expected &quot;refuse SCAN EARLIER&quot;, &quot;close SCAN EARLIER X Y THETA&quot;, &quot;fix SCAN X Y THETA&quot; or &quot;slip SCAN&quot;, scans counted from 1, as SCAN@STAMP where the stamp is to be held, X and Y in metres, THETA in rad from -2 pi to 2 pi</source>
-        <translation>hay %1; se esperaba «refuse SCAN EARLIER», «close SCAN EARLIER X Y THETA», «fix SCAN X Y THETA» o «slip SCAN», con los barridos contados desde 1, como SCAN@STAMP donde la marca de tiempo deba coincidir, X e Y en metros y THETA en rad de -2 pi a 2 pi</translation>
-    </message>
-    <message>
         <source>--set %1 names other changes; give one of them</source>
         <translation>--set %1 nombra otros cambios; dé uno de los dos</translation>
     </message>
@@ -3189,6 +3197,26 @@
     <message>
         <source>holds the results of a run, which would not be what they were; choose another folder</source>
         <translation>tiene los resultados de una ejecución, que dejarían de ser lo que eran; elija otra carpeta</translation>
+    </message>
+    <message>
+        <source>found %1; expected &quot;refuse SCAN EARLIER&quot;, &quot;close SCAN EARLIER X Y THETA&quot;, &quot;fix SCAN X Y THETA&quot;, &quot;slip SCAN&quot;, &quot;wall SCAN BEARING X1 Y1 X2 Y2&quot; or &quot;point SCAN DX DY X Y&quot;, scans counted from 1, as SCAN@STAMP where the stamp is to be held, X and Y in metres, THETA and BEARING in rad from -2 pi to 2 pi</source>
+        <translation>se encontró %1; se esperaba «refuse BARRIDO ANTERIOR», «close BARRIDO ANTERIOR X Y THETA», «fix BARRIDO X Y THETA», «slip BARRIDO», «wall BARRIDO RUMBO X1 Y1 X2 Y2» o «point BARRIDO DX DY X Y», con los barridos contados desde 1, como BARRIDO@TIEMPO donde se quiera comprobar su tiempo, X e Y en metros, THETA y RUMBO en rad de -2 pi a 2 pi</translation>
+    </message>
+    <message>
+        <source>the wall of the drawing has no direction, it is %1 m long; expected two places on it, %2 m apart at least</source>
+        <translation>la pared del dibujo no tiene dirección, mide %1 m; se esperaban dos sitios de ella, a %2 m uno de otro por lo menos</translation>
+    </message>
+    <message>
+        <source>change %1: scan %2 sees no straight wall of half a metre in the direction of %3 rad (%4 degrees to the left of ahead)</source>
+        <translation>cambio %1: el barrido %2 no ve ninguna pared recta de medio metro en la dirección de %3 rad (%4 grados a la izquierda del frente)</translation>
+    </message>
+    <message>
+        <source>change %1: the wall that scan %2 sees is turned by %3 degrees against that of the drawing, as the walls before it lay the drawing, and at most 45 are taken; is it another wall, or are its ends the wrong way round? The first is the left one, as the robot sees it</source>
+        <translation>cambio %1: la pared que ve el barrido %2 está girada %3 grados respecto a la del dibujo, tal como lo colocan las paredes anteriores, y se admiten 45 como mucho; ¿es otra pared, o están sus extremos al revés? El primero es el izquierdo, visto desde el robot</translation>
+    </message>
+    <message>
+        <source>a graph from a file has no scans that see a wall or point of a drawing; &quot;fix&quot; holds a pose at a known place</source>
+        <translation>un grafo de un archivo no tiene barridos que vean una pared o un punto de un dibujo; «fix» sujeta una pose en un sitio conocido</translation>
     </message>
 </context>
 <context>
@@ -5249,6 +5277,137 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::AnchorDialog</name>
+    <message>
+        <source>Anchor to a drawing</source>
+        <translation>Anclar a un dibujo</translation>
+    </message>
+    <message>
+        <source>A wall</source>
+        <translation>Una pared</translation>
+    </message>
+    <message>
+        <source>A point</source>
+        <translation>Un punto</translation>
+    </message>
+    <message>
+        <source>What the scan and the drawing have in common</source>
+        <translation>Lo que el barrido y el dibujo tienen en común</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Dibujo…</translation>
+    </message>
+    <message>
+        <source>A DXF drawing, a world, a reference map, or segments.txt of a run; coordinates can be written without any</source>
+        <translation>Un dibujo DXF, un mundo, un mapa de referencia o el segments.txt de una ejecución; las coordenadas se pueden escribir sin ninguno</translation>
+    </message>
+    <message>
+        <source>The unit of a DXF drawing</source>
+        <translation>La unidad de un dibujo DXF</translation>
+    </message>
+    <message>
+        <source>as the drawing says, else metres</source>
+        <translation>la que dice el dibujo, si no metros</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Dibujo</translation>
+    </message>
+    <message>
+        <source>Open a drawing, or write the coordinates below.</source>
+        <translation>Abra un dibujo, o escriba debajo las coordenadas.</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Barrido</translation>
+    </message>
+    <message>
+        <source>No scan is shown.</source>
+        <translation>No se muestra ningún barrido.</translation>
+    </message>
+    <message>
+        <source>In the drawing</source>
+        <translation>En el dibujo</translation>
+    </message>
+    <message>
+        <source>In the scan</source>
+        <translation>En el barrido</translation>
+    </message>
+    <message>
+        <source>Anchor</source>
+        <translation>Anclar</translation>
+    </message>
+    <message>
+        <source>x, y [m] in the drawing&apos;s own coordinates</source>
+        <translation>x, y [m] en las coordenadas propias del dibujo</translation>
+    </message>
+    <message>
+        <source>x, y of the wall&apos;s left end and of its right end, as the robot sees it [m], in the drawing&apos;s own coordinates</source>
+        <translation>x, y del extremo izquierdo de la pared y de su extremo derecho, vista desde el robot [m], en las coordenadas propias del dibujo</translation>
+    </message>
+    <message>
+        <source>x ahead, y to the left [m], from the robot</source>
+        <translation>x hacia delante, y hacia la izquierda [m], desde el robot</translation>
+    </message>
+    <message>
+        <source>Direction of the wall, to the left of ahead [°]</source>
+        <translation>Dirección de la pared, a la izquierda del frente [°]</translation>
+    </message>
+    <message>
+        <source>x, y</source>
+        <translation>x, y</translation>
+    </message>
+    <message>
+        <source>x, y, x, y</source>
+        <translation>x, y, x, y</translation>
+    </message>
+    <message>
+        <source>ahead, left</source>
+        <translation>delante, izquierda</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>dirección</translation>
+    </message>
+    <message>
+        <source>One anchor moves nothing yet. A second wall that is not parallel, or a second point, lays the drawing on the map; each further one bends the map.</source>
+        <translation>Un ancla sola no mueve nada todavía. Una segunda pared que no sea paralela, o un segundo punto, coloca el dibujo sobre el mapa; cada una más dobla el mapa.</translation>
+    </message>
+    <message>
+        <source>With this one and the ones before it the drawing will lie on the map, if they are not all parallel.</source>
+        <translation>Con esta y las anteriores el dibujo quedará colocado sobre el mapa, si no son todas paralelas.</translation>
+    </message>
+    <message>
+        <source>As the anchors so far lay the drawing, the point is %1 m off.</source>
+        <translation>Tal como colocan el dibujo las anclas que hay, el punto se aparta %1 m.</translation>
+    </message>
+    <message>
+        <source>As the anchors so far lay the drawing, the wall is %1 m off and turned by %2°.</source>
+        <translation>Tal como colocan el dibujo las anclas que hay, la pared se aparta %1 m y está girada %2°.</translation>
+    </message>
+    <message>
+        <source>This is another wall, or it was seen from its other side (space).</source>
+        <translation>Es otra pared, o se vio desde el otro lado (espacio).</translation>
+    </message>
+    <message>
+        <source>Let the run come to a scan first.</source>
+        <translation>Deje primero que la ejecución llegue a un barrido.</translation>
+    </message>
+    <message>
+        <source>The scan sees no straight wall of half a metre in that direction.</source>
+        <translation>El barrido no ve ninguna pared recta de medio metro en esa dirección.</translation>
+    </message>
+    <message>
+        <source>Choose a place of the drawing and the same place in scan %1.</source>
+        <translation>Elija un sitio del dibujo y el mismo sitio en el barrido %1.</translation>
+    </message>
+    <message>
+        <source>Choose a wall of the drawing, on the side where the robot stood, and the same wall in scan %1.</source>
+        <translation>Elija una pared del dibujo, por el lado donde estaba el robot, y la misma pared en el barrido %1.</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::Animation</name>
     <message>
         <source>%1 cannot be made: %2</source>
@@ -6039,6 +6198,22 @@
     <message>
         <source>By the last change: %1.</source>
         <translation>Por el último cambio: %1.</translation>
+    </message>
+    <message>
+        <source>Scan %1 is anchored to a wall of the drawing</source>
+        <translation>El barrido %1 está anclado a una pared del dibujo</translation>
+    </message>
+    <message>
+        <source>Scan %1 is anchored to the point %2, %3 of the drawing</source>
+        <translation>El barrido %1 está anclado al punto %2, %3 del dibujo</translation>
+    </message>
+    <message>
+        <source>Anchor…</source>
+        <translation>Anclar…</translation>
+    </message>
+    <message>
+        <source>A wall or point of the scan that is shown is one of a drawing, or has known coordinates: the map bends to it</source>
+        <translation>Una pared o un punto del barrido que se muestra es de un dibujo, o tiene coordenadas conocidas: el mapa se dobla hasta allí</translation>
     </message>
 </context>
 <context>
@@ -7683,6 +7858,14 @@
     <message>
         <source>Graphs of poses (*.g2o *.g2o.gz);;All files (*)</source>
         <translation>Grafos de poses (*.g2o *.g2o.gz);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Drawing to anchor to</source>
+        <translation>Dibujo al que anclar</translation>
+    </message>
+    <message>
+        <source>All of them (*.dxf *.toml *.map *.txt);;Drawings (*.dxf);;Worlds (*.toml);;Maps and segments (*.map *.txt)</source>
+        <translation>Todos ellos (*.dxf *.toml *.map *.txt);;Dibujos (*.dxf);;Mundos (*.toml);;Mapas y segmentos (*.map *.txt)</translation>
     </message>
 </context>
 <context>

@@ -71,7 +71,8 @@ struct Snapshot {
     std::vector<RunLoop> loops;    ///< likewise, the refused ones too
     /// Those of the keys, where asked for and the run draws its grid.
     std::vector<std::shared_ptr<const Scan>> key_scans;
-    std::optional<double> chi_square;  ///< likewise: as Registration::chi_square()
+    std::optional<double> chi_square;    ///< likewise: as Registration::chi_square()
+    std::optional<LaidDrawing> drawing;  ///< likewise: as Registration::drawing()
     Trajectory odometry_trajectory;
     GridTiles step_grid;
     std::vector<Advice> advice;  ///< of a finished run: what speaks against it

@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "anchor_dialog.hpp"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hitos/base/text_input.hpp"
+#include "hitos/registration/seen_wall.hpp"
+#include "hitos/simulation/drawings/dxf_walls.hpp"
+#include "hitos/workbench/world_import.hpp"
+#include "look/theme.hpp"
+#include "look/words_of.hpp"
+#include "look/written_number.hpp"
+#include "session/background.hpp"
+#include "views/canvas_paint.hpp"
+#include "wall_view.hpp"
+
+namespace hitos::window {
+namespace {
+
+constexpr double kShortestDrawn = 0.1;  // [m]; of less nobody knows the direction
+
+/// As many numbers as are asked for, with commas between; else none.
+std::vector<double> numbers_in(const QString& text, std::size_t count) {
+    std::vector<double> numbers;
+    for (const QString& word : list_with_points(text, true).split(',')) {
+        const auto number = input::parse_number(word.trimmed().toStdString());
+        if (!number || !std::isfinite(*number)) return {};
+        numbers.push_back(*number);
+    }
+    return numbers.size() == count ? numbers : std::vector<double>();
+}
+
+QString in_words(const std::vector<double>& numbers, int decimals) {
+    QStringList words;
+    for (const double number : numbers) words << QString::number(number, 'f', decimals);
+    return words.join(", ");
+}
+
+QLineF line_between(const Point2& a, const Point2& b) {
+    return {point_of(a), point_of(b)};
+}
+
+}  // namespace
+
+AnchorDialog::AnchorDialog(Session& session, QWidget* parent) : QDialog(parent), session_(session) {
+    setObjectName("anchor_dialog");
+    setWindowTitle(tr("Anchor to a drawing"));
+    auto* column = new QVBoxLayout(this);
+    auto* top = new QHBoxLayout;
+    column->addLayout(top);
+    kind_ = new QComboBox(this);
+    kind_->setObjectName("anchor_kind");
+    kind_->addItems({tr("A wall"), tr("A point")});
+    kind_->setToolTip(tr("What the scan and the drawing have in common"));
+    top->addWidget(kind_);
+    open_ = new QPushButton(tr("Drawing…"), this);
+    open_->setObjectName("anchor_open");
+    open_->setAutoDefault(false);
+    open_->setToolTip(
+        tr("A DXF drawing, a world, a reference map, or segments.txt of a run; coordinates can be "
+           "written without any"));
+    top->addWidget(open_);
+    unit_ = new QComboBox(this);
+    unit_->setObjectName("anchor_unit");
+    unit_->setToolTip(tr("The unit of a DXF drawing"));
+    unit_->addItem(tr("as the drawing says, else metres"), 0.0);
+    for (const DrawingUnit& unit : kDrawingUnits)
+        unit_->addItem(QCoreApplication::translate("DrawingUnit", unit.name), unit.metres);
+    unit_->hide();
+    top->addWidget(unit_);
+    notes_ = new QLabel(this);
+    notes_->setObjectName("anchor_notes");
+    notes_->setWordWrap(true);
+    top->addWidget(notes_, 1);
+    auto* halves = new QSplitter(Qt::Horizontal, this);
+    column->addWidget(halves, 1);
+    drawing_ =
+        new WallView(tr("Drawing"), tr("Open a drawing, or write the coordinates below."), halves);
+    drawing_->setObjectName("anchor_drawing");
+    scan_ = new WallView(tr("Scan"), tr("No scan is shown."), halves);
+    scan_->setObjectName("anchor_scan");
+    drawn_ = new QLineEdit(this);
+    drawn_->setObjectName("anchor_drawn");
+    seen_ = new QLineEdit(this);
+    seen_->setObjectName("anchor_seen");
+    halves->addWidget(made_side(drawing_, drawn_, tr("In the drawing")));
+    halves->addWidget(made_side(scan_, seen_, tr("In the scan")));
+    state_ = new QLabel(this);
+    state_->setObjectName("anchor_state");
+    state_->setWordWrap(true);
+    column->addWidget(state_);
+    effect_ = new QLabel(this);
+    effect_->setObjectName("anchor_effect");
+    effect_->setWordWrap(true);
+    column->addWidget(effect_);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    anchor_ = buttons->addButton(tr("Anchor"), QDialogButtonBox::ActionRole);
+    anchor_->setObjectName("anchor_make");
+    anchor_->setDefault(true);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    connect(anchor_, &QPushButton::clicked, this, &AnchorDialog::anchor);
+    connect(open_, &QPushButton::clicked, this, &AnchorDialog::drawing_wanted);
+    connect(kind_, &QComboBox::currentIndexChanged, this, &AnchorDialog::change_kind);
+    connect(unit_, &QComboBox::currentIndexChanged, this, [this] { open_drawing(file_); });
+    for (WallView* view : {drawing_, scan_})
+        connect(view, &WallView::chosen, this, &AnchorDialog::take_chosen);
+    for (QLineEdit* line : {drawn_, seen_})
+        connect(line, &QLineEdit::textEdited, this, &AnchorDialog::take_written);
+    connect(&session_, &Session::snapshot_changed, this, &AnchorDialog::refresh);
+    connect(&session_, &Session::restarted, this, [this] { tell({}); });
+    resize(860, 560);
+    change_kind();
+}
+
+QWidget* AnchorDialog::made_side(WallView* view, QLineEdit* line, const QString& words) {
+    auto* side = new QWidget(this);
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(0, 0, 0, 0);
+    view->setMinimumSize(160, 160);
+    column->addWidget(view, 1);
+    auto* row = new QHBoxLayout;
+    auto* label = new QLabel(words, side);
+    label->setBuddy(line);
+    row->addWidget(label);
+    row->addWidget(line, 1);
+    column->addLayout(row);
+    return side;
+}
+
+bool AnchorDialog::of_points() const {
+    return kind_->currentIndex() == 1;
+}
+
+void AnchorDialog::change_kind() {
+    for (WallView* view : {drawing_, scan_}) view->set_of_places(of_points());
+    drawn_->setToolTip(of_points() ? tr("x, y [m] in the drawing's own coordinates")
+                                   : tr("x, y of the wall's left end and of its right end, as the "
+                                        "robot sees it [m], in the drawing's own coordinates"));
+    seen_->setToolTip(of_points() ? tr("x ahead, y to the left [m], from the robot")
+                                  : tr("Direction of the wall, to the left of ahead [°]"));
+    drawn_->setPlaceholderText(of_points() ? tr("x, y") : tr("x, y, x, y"));
+    seen_->setPlaceholderText(of_points() ? tr("ahead, left") : tr("direction"));
+    take_chosen();
+}
+
+void AnchorDialog::open_drawing(const QString& path) {
+    if (path.isEmpty()) return;
+    file_ = path;
+    const std::string file = path.toStdString();
+    ImportReport report;
+    WallView::Walls walls;
+    QString problem;
+    QApplication::setOverrideCursor(Qt::WaitCursor);
+    try {
+        const bool dxf = wall_source(file) == WallSource::drawing;
+        unit_->setVisible(dxf);
+        ImportOptions options;
+        const double unit_m = unit_->currentData().toDouble();
+        if (dxf && unit_m > 0.0) options.unit_m = unit_m;
+        for (const Polyline& line :
+             in_background([&] { return walls_as_drawn(file, options, &report); })) {
+            for (std::size_t i = 0; i < line.size(); ++i) {
+                walls.places.push_back(point_of(line[i]));
+                if (i > 0 && distance(line[i - 1], line[i]) >= kShortestDrawn)
+                    walls.walls.push_back(line_between(line[i - 1], line[i]));
+            }
+        }
+    } catch (const std::exception& error) {
+        problem = words_of(error);
+    }
+    QApplication::restoreOverrideCursor();
+    QStringList words{problem.isEmpty() ? QFileInfo(path).fileName() : problem};
+    for (const Message& warning : report.warnings) words << words_of(warning);
+    set_look(*notes_, "role", words.size() > 1 || !problem.isEmpty() ? "warning" : "muted");
+    notes_->setText(words.join("; "));
+    drawing_->set_walls(std::move(walls));
+    drawing_->choose_wall(std::nullopt);
+    drawing_->choose_place(std::nullopt);
+    drawing_->fit();
+    drawn_numbers_.clear();
+    drawn_->clear();
+    show_over_drawing();
+    show_state();
+}
+
+void AnchorDialog::showEvent(QShowEvent* event) {
+    QDialog::showEvent(event);
+    if (file_.isEmpty()) open_drawing(session_.reference_map_file());
+    refresh();
+    (drawing_->walls().walls.empty() ? static_cast<QWidget*>(open_) : drawing_)->setFocus();
+}
+
+void AnchorDialog::refresh() {
+    if (!isVisible()) return;
+    show_scan();
+    show_over_drawing();
+    show_state();
+}
+
+/// A scan is looked at when it stays: finding its walls takes some milliseconds.
+void AnchorDialog::show_scan() {
+    const auto snapshot = session_.snapshot();
+    const bool same = snapshot && shown_ && snapshot->steps == shown_->steps;
+    if (!same && session_.progress().state == Progress::State::running) return;
+    shown_ = snapshot && snapshot->steps > 0 ? snapshot : nullptr;
+    if (same) return;
+    WallView::Walls seen;
+    bearings_.clear();
+    if (shown_) {
+        const double range_m = session_.configuration().registration.range_m;
+        for (const SeenWall& wall : seen_walls(shown_->scan, range_m)) {
+            seen.walls.push_back(line_between(wall.left, wall.right));
+            seen.places.push_back(point_of(wall.left));
+            seen.places.push_back(point_of(wall.right));
+            bearings_.push_back(wall.bearing);
+        }
+        for (const Esquina& corner : shown_->observation.corners)
+            seen.places.emplace_back(corner.x, corner.y);
+        for (const Point2& point : shown_points(shown_->scan)) seen.dots.push_back(point_of(point));
+        seen.robot = Pose{};
+    }
+    seen.sided = true;
+    scan_->set_walls(std::move(seen));
+    scan_->choose_wall(std::nullopt);
+    scan_->choose_place(std::nullopt);
+    scan_->fit();
+    seen_numbers_.clear();
+    seen_->clear();
+}
+
+/// The scan where the anchors so far lay it in the drawing.
+void AnchorDialog::show_over_drawing() {
+    std::vector<QPointF> dots;
+    std::optional<Pose> robot;
+    if (shown_ && shown_->drawing && shown_->drawing->firm) {
+        robot = between(shown_->drawing->pose, shown_->best_trajectory.back().pose);
+        for (const Point2& point : shown_points(shown_->scan))
+            dots.push_back(point_of(transform(*robot, point)));
+    }
+    drawing_->set_dots(std::move(dots), robot);
+}
+
+/// What was chosen in the views, as numbers.
+void AnchorDialog::take_chosen() {
+    if (of_points()) {
+        const auto numbers = [](const std::optional<QPointF>& place) {
+            return place ? std::vector<double>{place->x(), place->y()} : std::vector<double>();
+        };
+        drawn_numbers_ = numbers(drawing_->place());
+        seen_numbers_ = numbers(scan_->place());
+    } else {
+        drawn_numbers_.clear();
+        seen_numbers_.clear();
+        if (const auto& wall = drawing_->wall())
+            drawn_numbers_ = {wall->x1(), wall->y1(), wall->x2(), wall->y2()};
+        if (const auto& wall = scan_->wall()) {
+            const auto& walls = scan_->walls().walls;
+            const auto found = std::ranges::find(walls, *wall);
+            if (found != walls.end())
+                seen_numbers_ = {bearings_[static_cast<std::size_t>(found - walls.begin())]};
+        }
+    }
+    constexpr int kMillimetres = 3;
+    drawn_->setText(in_words(drawn_numbers_, kMillimetres));
+    std::vector<double> seen = seen_numbers_;
+    if (!of_points() && !seen.empty()) seen[0] *= kDegreesPerRadian;
+    seen_->setText(in_words(seen, of_points() ? kMillimetres : 1));
+    show_state();
+}
+
+/// What was written, in the views.
+void AnchorDialog::take_written() {
+    const std::size_t drawn = of_points() ? 2 : 4;
+    if (sender() == drawn_) drawn_numbers_ = numbers_in(drawn_->text(), drawn);
+    const std::vector<double>& d = drawn_numbers_;
+    if (sender() == seen_) {
+        seen_numbers_ = numbers_in(seen_->text(), of_points() ? 2 : 1);
+        if (!of_points() && !seen_numbers_.empty())
+            seen_numbers_[0] = wrap_angle(seen_numbers_[0] / kDegreesPerRadian);
+    }
+    const std::vector<double>& s = seen_numbers_;
+    if (of_points()) {
+        drawing_->choose_place(d.empty() ? std::nullopt : std::optional(QPointF(d[0], d[1])));
+        scan_->choose_place(s.empty() ? std::nullopt : std::optional(QPointF(s[0], s[1])));
+    } else {
+        drawing_->choose_wall(d.empty() ? std::nullopt
+                                        : std::optional(QLineF(d[0], d[1], d[2], d[3])));
+        std::optional<QLineF> wall;
+        if (!s.empty() && shown_) {
+            const double range_m = session_.configuration().registration.range_m;
+            if (const auto seen = seen_wall(shown_->scan, range_m, s[0]))
+                wall = line_between(seen->left, seen->right);
+        }
+        scan_->choose_wall(wall);
+    }
+    show_state();
+}
+
+std::optional<GraphEdit> AnchorDialog::edit() const {
+    const std::vector<double>& d = drawn_numbers_;
+    const std::vector<double>& s = seen_numbers_;
+    if (d.empty() || s.empty() || !shown_) return std::nullopt;
+    GraphEdit edit;
+    edit.scan = {shown_->steps - 1, shown_->best_trajectory.back().time_s};
+    edit.left = {d[0], d[1]};
+    if (of_points()) {
+        edit.kind = GraphEdit::Kind::point;
+        edit.seen = {s[0], s[1]};
+        return edit;
+    }
+    edit.kind = GraphEdit::Kind::wall;
+    edit.bearing = s[0];
+    edit.right = {d[2], d[3]};
+    return edit;
+}
+
+/// Of a whole anchor, what the ones before it say of it.
+QString AnchorDialog::words_of_fit(const GraphEdit& edit) const {
+    const auto& drawing = shown_->drawing;
+    if (!drawing) {
+        return tr(
+            "One anchor moves nothing yet. A second wall that is not parallel, or a second "
+            "point, lays the drawing on the map; each further one bends the map.");
+    }
+    if (!drawing->firm) {
+        return tr(
+            "With this one and the ones before it the drawing will lie on the map, if they "
+            "are not all parallel.");
+    }
+    const Pose pose = between(drawing->pose, shown_->best_trajectory.back().pose);
+    if (of_points()) {
+        const Point2 at = transform(pose, edit.seen);
+        return tr("As the anchors so far lay the drawing, the point is %1 m off.")
+            .arg(distance(at, edit.left), 0, 'f', 2);
+    }
+    const QLineF drawn = line_between(edit.left, edit.right);
+    const QLineF& wall = *scan_->wall();
+    const Point2 middle = transform(pose, Point2{wall.center().x(), wall.center().y()});
+    const double heading = std::atan2(wall.dy(), wall.dx()) + pose.theta;
+    const double turned = wrap_angle(std::atan2(drawn.dy(), drawn.dx()) - heading);
+    const double across =
+        ((middle.x - edit.left.x) * drawn.dy() - (middle.y - edit.left.y) * drawn.dx()) /
+        drawn.length();
+    const QString words =
+        tr("As the anchors so far lay the drawing, the wall is %1 m off and turned by %2°.")
+            .arg(std::abs(across), 0, 'f', 2)
+            .arg(std::abs(turned) * kDegreesPerRadian, 0, 'f', 1);
+    if (std::abs(turned) <= 0.25 * kPi) return words;
+    return words + ' ' + tr("This is another wall, or it was seen from its other side (space).");
+}
+
+void AnchorDialog::show_state() {
+    const auto whole = edit();
+    QString words;
+    bool can = whole.has_value();
+    if (!shown_) {
+        words = tr("Let the run come to a scan first.");
+    } else if (!seen_numbers_.empty() && !of_points() && !scan_->wall()) {
+        words = tr("The scan sees no straight wall of half a metre in that direction.");
+        can = false;
+    } else if (!whole) {
+        words = of_points()
+                    ? tr("Choose a place of the drawing and the same place in scan %1.")
+                          .arg(shown_->steps)
+                    : tr("Choose a wall of the drawing, on the side where the robot stood, and the "
+                         "same wall in scan %1.")
+                          .arg(shown_->steps);
+    } else {
+        try {
+            std::vector<GraphEdit> edits =
+                parse_graph_edits(session_.configuration().registration.edits);
+            edits.push_back(*whole);
+            check_graph_edits(edits);
+            words = words_of_fit(*whole);
+        } catch (const std::exception& error) {
+            words = words_of(error);
+            can = false;
+        }
+    }
+    state_->setText(words);
+    anchor_->setEnabled(can);
+}
+
+void AnchorDialog::tell(const QString& effect) {
+    effect_->setText(effect);
+}
+
+void AnchorDialog::anchor() {
+    const auto made = edit();
+    if (!made) return;
+    for (WallView* view : {drawing_, scan_}) {
+        view->choose_wall(std::nullopt);
+        view->choose_place(std::nullopt);
+    }
+    take_chosen();
+    emit anchored(*made);
+}
+
+}  // namespace hitos::window
