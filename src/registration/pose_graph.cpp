@@ -33,6 +33,22 @@ EdgeError edge_error(const PoseEdge& edge, const Pose& from, const Pose& to) {
     return error;
 }
 
+PoseEdge edge_of_origin(const PoseEdge& edge, const Pose& from, const Pose& to) {
+    if (edge.at == Point2{}) return edge;
+    PoseEdge other = edge;
+    other.at = {};
+    if (!(edge.information(2, 2) > 0.0)) other.z.theta = wrap_angle(to.theta - from.theta);
+    const Point2 lever = transform(Pose{0.0, 0.0, other.z.theta}, edge.at);
+    other.z.x -= lever.x;
+    other.z.y -= lever.y;
+    // Where the place is off, by how far its origin is, and its turn about that.
+    Eigen::Matrix3d by_origin = Eigen::Matrix3d::Identity();
+    by_origin(0, 2) = -lever.y;
+    by_origin(1, 2) = lever.x;
+    other.information = by_origin.transpose() * edge.information * by_origin;
+    return other;
+}
+
 double greatest_move(std::span<const KeyPose> before, std::span<const KeyPose> after) {
     double greatest = 0.0;
     for (std::size_t k = 0; k < before.size(); ++k) {

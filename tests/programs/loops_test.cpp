@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli: the loops of a run in files, against a reference, and changed by hand.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "hitos/base/geometry.hpp"
 #include "program.hpp"
 
 namespace hitos {
@@ -104,6 +108,52 @@ TEST_F(LoopsTest, ChangesByHandAreDoneAgainToTheSameBytes) {
                     path("third"));
     ASSERT_EQ(from_results.status, 0) << from_results.output;
     EXPECT_EQ(content("third/trajectory.tum"), content("changed/trajectory.tum"));
+}
+
+TEST_F(LoopsTest, ARunIsAnchoredToADrawing) {
+    // The drawing is the map turned by half a turn and moved; what scan 300 sees lies 0.3 m
+    // further.
+    ASSERT_EQ(run("plain").status, 0);
+    const auto at_scan_300 = [&](const std::string& folder) {
+        std::istringstream line(lines_of(content(folder + "/trajectory.tum")).at(299));
+        double stamp = 0.0;
+        Point2 at;
+        line >> stamp >> at.x >> at.y;
+        return at;
+    };
+    const Point2 before = at_scan_300("plain");
+    const std::string edits =
+        fmt::format("point 1 10 0 90 50; point 1 0 10 100 40; point 300 0 0 {} {}",
+                    100.0 - before.x - 0.3, 50.0 - before.y);
+    const test::Outcome told = run("first", "--set 'registration.edits=" + edits + "'");
+    ASSERT_EQ(told.status, 0) << told.output;
+    EXPECT_THAT(told.output, HasSubstr("anchored to a drawing that lies at"));
+    const json drawing = quality_of("first")["drawing"];
+    EXPECT_TRUE(drawing["firm"]);
+    EXPECT_NEAR(drawing["x"].get<double>(), 100.0, 0.3);
+    EXPECT_NEAR(drawing["y"].get<double>(), 50.0, 0.3);
+    EXPECT_NEAR(std::cos(drawing["theta"].get<double>()), -1.0, 1e-3);
+    ASSERT_EQ(drawing["anchors"].size(), 3U);
+    EXPECT_EQ(drawing["anchors"][2]["scan"], 300);
+    EXPECT_GT(distance(at_scan_300("first"), before), 0.05);
+    EXPECT_THAT(content("first/edits.toml"), HasSubstr("point 300@"));
+
+    ASSERT_EQ(run("again", "--edits " + path("first/edits.toml") + " --write g2o").status, 0);
+    for (const char* file : {"map.txt", "trajectory.tum", "edits.toml", "segments.txt"}) {
+        const std::string name = file;
+        EXPECT_EQ(content("again/" + name), content("first/" + name)) << name;
+    }
+    EXPECT_THAT(content("again/graph.g2o"), HasSubstr("EDGE_SE2 0 299 "));
+    // An algorithm with a graph of its own has them too.
+    ASSERT_EQ(
+        run("graph", "--edits " + path("first/edits.toml") + " --set filter.algorithm=graph-slam")
+            .status,
+        0);
+    EXPECT_LT(distance(at_scan_300("graph"), at_scan_300("first")), 0.1);
+
+    const test::Outcome none = run("none", "--set 'registration.edits=wall 5 3.1 0 0 4 0'");
+    EXPECT_NE(none.status, 0);
+    EXPECT_THAT(none.output, HasSubstr("change 1: scan 5 sees no straight wall"));
 }
 
 TEST_F(LoopsTest, ALoopThatWasNotFoundIsClosed) {

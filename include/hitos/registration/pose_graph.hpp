@@ -48,4 +48,8 @@ struct EdgeError {
 };
 EdgeError edge_error(const PoseEdge& edge, const Pose& from, const Pose& to);
 
+/// The edge for who knows of no place in the frame of `to`: of its origin, and the same to the
+/// first order of the turn between z, where it knows the heading, and the poses as they lie.
+PoseEdge edge_of_origin(const PoseEdge& edge, const Pose& from, const Pose& to);
+
 }  // namespace hitos

@@ -225,8 +225,9 @@ class Sightings {
 
 void add_registration(const Registration& registration, std::vector<PlanarEdge>& steps) {
     const auto keys = registration.keys();
-    for (const PoseEdge& edge : registration.edges()) {
-        if (edge.kind == EdgeKind::odometry) continue;  // the steps between have it
+    for (const PoseEdge& told : registration.edges()) {
+        if (told.kind == EdgeKind::odometry) continue;  // the steps between have it
+        const PoseEdge edge = edge_of_origin(told, keys[told.from].pose, keys[told.to].pose);
         steps.push_back(step_edge(keys[edge.from].scan, keys[edge.to].scan, edge.z,
                                   turned(edge.information, -edge.z.theta)));
     }

@@ -142,6 +142,29 @@ TEST(PoseGraph, JacobiansAreThoseOfNumericalDifferentiation) {
     }
 }
 
+TEST(PoseGraph, AnEdgeOfAPlaceIsOneOfTheOriginWhileItTurnsLittle) {
+    const Pose from{-3.0, 7.0, 2.8};
+    const Pose true_to = compose(from, {4.0, 1.0, -0.7});
+    PoseEdge edge{0, 1, {}, {}, EdgeKind::by_hand, {2.5, -1.25}};
+    const Point2 seen = transform(between(from, true_to), edge.at);
+    edge.z = {seen.x, seen.y, -0.7};
+    for (const double heading : {0.0, 1e4}) {
+        edge.information = Eigen::Vector3d(400.0, 100.0, heading).asDiagonal();
+        const PoseEdge other = edge_of_origin(edge, from, true_to);
+        EXPECT_EQ(other.at, Point2{});
+        EXPECT_LT(edge_error(other, from, true_to).value.norm(), 1e-12);
+        for (int c = 0; c < 3; ++c) {
+            const Pose to = moved(moved(true_to, c, 1e-3), 2, 2e-3);
+            const Vector3d a = edge_error(edge, from, to).value;
+            const Vector3d b = edge_error(other, from, to).value;
+            const double d2 = a.dot(edge.information * a);
+            EXPECT_NEAR(b.dot(other.information * b), d2, 0.01 * d2) << c;
+        }
+    }
+    edge.at = {};
+    EXPECT_EQ(edge_of_origin(edge, from, true_to).z, edge.z);
+}
+
 TEST(PoseGraph, ErrorIsNoneWhereTheEdgeIsTrueAndItsAngleWraps) {
     const Pose from{-3.0, 7.0, 3.0};
     const Pose to{1.0, 4.5, -3.0};

@@ -417,6 +417,9 @@ TEST(PlanarGraph, RefusesEditsThatMeetNothing) {
     EXPECT_THAT(refusal("close 10 18446744073709551615 0 0 0"),
                 HasSubstr("id 18446744073709551615"));
     EXPECT_THAT(refusal("slip 10"), HasSubstr("pose 10 has the lowest id"));
+    EXPECT_THAT(refusal("slip 20; wall 20 0 0 0 4 0"),
+                HasSubstr("change 2: a graph from a file has no scans that see a wall"));
+    EXPECT_THAT(refusal("point 20 0 0 4 0"), HasSubstr("change 1: a graph from a file"));
     EXPECT_THAT(refusal("fix 10 0 0 0"), HasSubstr("pose 10 is fixed by the graph already"));
 }
 

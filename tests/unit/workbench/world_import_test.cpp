@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 
 #include "hitos/base/error.hpp"
@@ -93,6 +94,21 @@ TEST(WorldImport, LinesOfAMapEndAtTheirCorners) {
     ImportOptions wide;
     wide.tolerance_m = 0.25;
     EXPECT_EQ(import_walls(map, wide).size(), 2U);
+}
+
+TEST(WorldImport, ADrawingToLayOnAMapStaysWhereItIs) {
+    TempFolder folder;
+    std::ofstream(folder / "survey.dxf")
+        << "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n691000.25\n20\n5334000.5\n"
+           "11\n691004.25\n21\n5334000.5\n0\nENDSEC\n0\nEOF\n";
+    ImportReport report;
+    EXPECT_EQ(walls_as_drawn(folder / "survey.dxf", {}, &report),
+              (std::vector<Polyline>{{{691000.25, 5334000.5}, {691004.25, 5334000.5}}}));
+    for (const Message& warning : report.warnings)
+        EXPECT_EQ(warning.english().find("moved"), std::string::npos) << warning.english();
+    EXPECT_EQ(import_walls(folder / "survey.dxf", {})[0][0].x, 0.25);
+    const World world = read_world(find_world("bigloop"));
+    EXPECT_EQ(walls_as_drawn(find_world("bigloop"), {}).size(), world.walls.size());
 }
 
 TEST(WorldImport, WhatShowsNoWallIsRefused) {

@@ -268,6 +268,23 @@ TEST(QualityWarnings, OfALoopThatMovedThePathFar) {
     EXPECT_FALSE(told_of_carried(3.0));
 }
 
+TEST(QualityWarnings, OfAnchorsThatContradictOrSayNothing) {
+    const auto told = [](const char* edits, std::string_view words) {
+        RegistrationParams params;
+        params.edits = edits;
+        JudgedRun run(params);
+        run.ahead(judged_hall(), {}, 10);
+        return told_figure(run, words);
+    };
+    constexpr std::string_view kLoose = "do not say where the drawing lies";
+    constexpr std::string_view kOff = "contradict each other";
+    EXPECT_EQ(told("slip 3; point 5 1 0 7 7", kLoose), "2");
+    const char* good = "point 5 1 0 7 7; point 5 2 0 8 7";
+    EXPECT_FALSE(told(good, kLoose));
+    EXPECT_FALSE(told(good, kOff));
+    EXPECT_EQ(told("point 5 1 0 7 7; point 5 2 0 10 7", kOff), "1, 2");
+}
+
 /// 2.3 times round a ring of corridors, 48 m each time; one scan is blind.
 std::vector<Advice> told_of_ring(bool loops) {
     Walls walls = judged_ring({{-1, -1},
