@@ -97,6 +97,7 @@ void Registration::Impl::lay_where_said(const Pose& pose, std::size_t from) {
 /// That what a scan sees is in a drawing. Of a scan that is no key, which only what is foreseen
 /// names, the key that it hangs on sees it.
 PoseEdge Registration::Impl::anchor(const GraphEdit& edit) const {
+    constexpr double kEndsAcross = 0.02;  // [m], standard deviation of where a wall's ends are seen
     const Placed& placed = placed_[edit.scan.scan];
     const bool key = graph_.poses[placed.key].scan == edit.scan.scan;
     const Pose pose_key_scan = key ? Pose{} : placed.pose_key_scan;
@@ -128,7 +129,9 @@ PoseEdge Registration::Impl::anchor(const GraphEdit& edit) const {
     // Across the wall; along it the scan may slide.
     const Eigen::Vector2d across(-way.y / length_m, way.x / length_m);
     edge.information.topLeftCorner<2, 2>() = information(0) * across * across.transpose();
-    edge.information(2, 2) = information(2);
+    // A short wall says less of its direction.
+    const double turn = kEndsAcross / (0.5 * distance(wall->left, wall->right));
+    edge.information(2, 2) = 1.0 / (1.0 / information(2) + turn * turn);
     return edge;
 }
 
@@ -178,8 +181,8 @@ std::vector<AnchorFigures> Registration::Impl::anchor_figures() const {
             edge_error(edge, drawing->pose, graph_.poses[edge.to].pose).value;
         const Eigen::Matrix3d& known = edge.information;
         const double sigma_m = sigmas_by_hand(noted.edit.kind)(0);
-        const double off_m =
-            sigma_m * std::sqrt(error.head<2>().dot(known.topLeftCorner<2, 2>() * error.head<2>()));
+        const double squared = error.head<2>().dot(known.topLeftCorner<2, 2>() * error.head<2>());
+        const double off_m = sigma_m * std::sqrt(std::max(0.0, squared));
         figures.push_back({number_of(noted.edit) - 1, noted.edit.scan.scan, off_m,
                            known(2, 2) > 0.0 ? std::optional(error(2)) : std::nullopt, noted.bent,
                            noted.limit});

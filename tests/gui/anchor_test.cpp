@@ -73,7 +73,7 @@ class Anchored : public Fixture {
     void click_drawing(const QLineF& wall) const {
         auto& view = part<WallView>("anchor_drawing");
         const QPointF back(wall.dy() / wall.length(), -wall.dx() / wall.length());
-        const QPointF beside = wall.center() - 3.0 / view.camera().pixels_per_m * back;
+        const QPointF beside = wall.center() + 3.0 / view.camera().pixels_per_m * back;
         QTest::mouseClick(&view, Qt::LeftButton, {}, pixel_in(view, beside));
     }
 

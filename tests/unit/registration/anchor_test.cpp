@@ -76,6 +76,12 @@ class BentCorridor : public testing::Test {
     GraphEdit end_wall(std::size_t scan) const {
         return wall(scan, {41.0, truth_[scan].y}, {41, 20}, {41, -1});
     }
+    GraphEdit right_wall(std::size_t scan) const {
+        return wall(scan, {truth_[scan].x + 1.0, -1.0}, {41, -1}, {-1, -1});
+    }
+    GraphEdit last_right_wall(std::size_t scan) const {
+        return wall(scan, {41.0, truth_[scan].y + 1.0}, {41, 31}, {41, -1});
+    }
     /// The second corridor's end.
     GraphEdit last_wall(std::size_t scan) const {
         return wall(scan, {truth_[scan].x, 31.0}, {39, 31}, {41, 31});
@@ -115,11 +121,13 @@ TEST_F(BentCorridor, WallsOfADrawingStraightenIt) {
     ASSERT_GT(error_of(bent), 2.0) << "the corridors are as long as the odometry says";
     std::vector<GraphEdit> edits = at_begin();
     edits.push_back(end_wall(scan_at({38, 0})));
+    edits.push_back(right_wall(scan_at({38, 0})));
     edits.push_back(last_wall(truth_.size() - 3));
+    edits.push_back(last_right_wall(truth_.size() - 3));
     const test::Driven straight = finished(edits);
-    EXPECT_LT(error_of(straight), 0.15);
+    EXPECT_LT(error_of(straight), 0.25);
     const RegistrationFigures figures = straight.registration.figures();
-    ASSERT_EQ(figures.anchors.size(), 4U);
+    ASSERT_EQ(figures.anchors.size(), 6U);
     for (const AnchorFigures& anchor : figures.anchors) {
         EXPECT_LT(anchor.off_m, 0.05) << anchor.change;
         EXPECT_LT(std::abs(anchor.off_rad.value()), 0.02) << anchor.change;
@@ -138,7 +146,7 @@ TEST_F(BentCorridor, WallsOfADrawingStraightenIt) {
 TEST_F(BentCorridor, PointsStraightenItToo) {
     std::vector<GraphEdit> edits{point(0, {3, 1}), point(scan_at({38, 0}), {39, 1}),
                                  point(truth_.size() - 3, {41, 31})};
-    EXPECT_LT(error_of(finished(edits)), 0.15);
+    EXPECT_LT(error_of(finished(edits)), 0.25);
     edits.resize(2);
     const test::Driven two = finished(edits);
     EXPECT_TRUE(two.registration.figures().drawing->firm);
@@ -174,9 +182,15 @@ TEST_F(BentCorridor, WhatContradictsIsTold) {
         end->x += 3.0 * std::cos(drawn_.theta);
         end->y += 3.0 * std::sin(drawn_.theta);
     }
-    const std::vector<AnchorFigures> anchors = finished(edits).registration.figures().anchors;
-    EXPECT_GT(anchors[3].off_m, 0.5);
-    EXPECT_GT(anchors[3].chi_square, anchors[3].chi_square_limit);
+    std::vector<AnchorFigures> anchors = finished(edits).registration.figures().anchors;
+    ASSERT_EQ(anchors.size(), 4U);
+    EXPECT_GT(anchors[3].chi_square, anchors[3].chi_square_limit) << "the map tears";
+    // Of one scan they cannot both be true.
+    edits[3].scan = edits[2].scan;
+    edits[3].bearing += 0.05;
+    anchors = finished(edits).registration.figures().anchors;
+    EXPECT_GT(anchors[2].off_m, 1.0);
+    EXPECT_GT(anchors[3].off_m, 1.0);
 }
 
 TEST_F(BentCorridor, AWallThatIsNoneIsRefused) {
