@@ -31,6 +31,7 @@
 namespace hitos::window {
 namespace {
 
+constexpr int kMillimetres = 3;         // decimals
 constexpr double kShortestDrawn = 0.1;  // [m]; of less nobody knows the direction
 
 /// As many numbers as are asked for, with commas between; else none.
@@ -48,6 +49,10 @@ QString in_words(const std::vector<double>& numbers, int decimals) {
     QStringList words;
     for (const double number : numbers) words << QString::number(number, 'f', decimals);
     return words.join(", ");
+}
+
+std::vector<double> numbers_of(const std::optional<QPointF>& place) {
+    return place ? std::vector<double>{place->x(), place->y()} : std::vector<double>();
 }
 
 QLineF line_between(const Point2& a, const Point2& b) {
@@ -117,8 +122,8 @@ AnchorDialog::AnchorDialog(Session& session, QWidget* parent) : QDialog(parent),
     connect(open_, &QPushButton::clicked, this, &AnchorDialog::drawing_wanted);
     connect(kind_, &QComboBox::currentIndexChanged, this, &AnchorDialog::change_kind);
     connect(unit_, &QComboBox::currentIndexChanged, this, [this] { open_drawing(file_); });
-    for (WallView* view : {drawing_, scan_})
-        connect(view, &WallView::chosen, this, &AnchorDialog::take_chosen);
+    connect(drawing_, &WallView::chosen, this, &AnchorDialog::take_drawn);
+    connect(scan_, &WallView::chosen, this, &AnchorDialog::take_seen);
     for (QLineEdit* line : {drawn_, seen_})
         connect(line, &QLineEdit::textEdited, this, &AnchorDialog::take_written);
     connect(&session_, &Session::snapshot_changed, this, &AnchorDialog::refresh);
@@ -155,7 +160,8 @@ void AnchorDialog::change_kind() {
                                   : tr("Direction of the wall, to the left of ahead [°]"));
     drawn_->setPlaceholderText(of_points() ? tr("x, y") : tr("x, y, x, y"));
     seen_->setPlaceholderText(of_points() ? tr("ahead, left") : tr("direction"));
-    take_chosen();
+    take_drawn();
+    take_seen();
 }
 
 void AnchorDialog::open_drawing(const QString& path) {
@@ -255,31 +261,34 @@ void AnchorDialog::show_over_drawing() {
     drawing_->set_dots(std::move(dots), robot);
 }
 
-/// What was chosen in the views, as numbers.
-void AnchorDialog::take_chosen() {
+/// What was chosen in the drawing, as numbers.
+void AnchorDialog::take_drawn() {
+    const auto& wall = drawing_->wall();
+    drawn_numbers_.clear();
     if (of_points()) {
-        const auto numbers = [](const std::optional<QPointF>& place) {
-            return place ? std::vector<double>{place->x(), place->y()} : std::vector<double>();
-        };
-        drawn_numbers_ = numbers(drawing_->place());
-        seen_numbers_ = numbers(scan_->place());
-    } else {
-        drawn_numbers_.clear();
-        seen_numbers_.clear();
-        if (const auto& wall = drawing_->wall())
-            drawn_numbers_ = {wall->x1(), wall->y1(), wall->x2(), wall->y2()};
-        if (const auto& wall = scan_->wall()) {
-            const auto& walls = scan_->walls().walls;
-            const auto found = std::ranges::find(walls, *wall);
-            if (found != walls.end())
-                seen_numbers_ = {bearings_[static_cast<std::size_t>(found - walls.begin())]};
-        }
+        drawn_numbers_ = numbers_of(drawing_->place());
+    } else if (wall) {
+        drawn_numbers_ = {wall->x1(), wall->y1(), wall->x2(), wall->y2()};
     }
-    constexpr int kMillimetres = 3;
     drawn_->setText(in_words(drawn_numbers_, kMillimetres));
-    std::vector<double> seen = seen_numbers_;
-    if (!of_points() && !seen.empty()) seen[0] *= kDegreesPerRadian;
-    seen_->setText(in_words(seen, of_points() ? kMillimetres : 1));
+    show_state();
+}
+
+/// Likewise in the scan.
+void AnchorDialog::take_seen() {
+    seen_numbers_.clear();
+    if (of_points()) {
+        seen_numbers_ = numbers_of(scan_->place());
+        seen_->setText(in_words(seen_numbers_, kMillimetres));
+    } else {
+        const auto& walls = scan_->walls().walls;
+        const auto found = scan_->wall() ? std::ranges::find(walls, *scan_->wall()) : walls.end();
+        if (found != walls.end())
+            seen_numbers_ = {bearings_[static_cast<std::size_t>(found - walls.begin())]};
+        seen_->setText(seen_numbers_.empty()
+                           ? QString()
+                           : QString::number(seen_numbers_[0] * kDegreesPerRadian, 'f', 1));
+    }
     show_state();
 }
 
@@ -407,7 +416,8 @@ void AnchorDialog::anchor() {
         view->choose_wall(std::nullopt);
         view->choose_place(std::nullopt);
     }
-    take_chosen();
+    take_drawn();
+    take_seen();
     emit anchored(*made);
 }
 

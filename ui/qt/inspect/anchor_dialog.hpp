@@ -50,7 +50,8 @@ class AnchorDialog final : public QDialog {
     void change_kind();
     void show_scan();
     void show_over_drawing();
-    void take_chosen();
+    void take_drawn();
+    void take_seen();
     void take_written();
     void show_state();
     QString words_of_fit(const GraphEdit& edit) const;

@@ -32,7 +32,9 @@ QString words_of(const GraphEdit& edit) {
         case GraphEdit::Kind::fix:
             return EditList::tr("Scan %1 is fixed").arg(scan);
         case GraphEdit::Kind::wall:
-            return EditList::tr("Scan %1 is anchored to a wall of the drawing").arg(scan);
+            return EditList::tr("Scan %1 is anchored to a wall of the drawing, seen at %2°")
+                .arg(scan)
+                .arg(edit.bearing * kDegreesPerRadian, 0, 'f', 0);
         case GraphEdit::Kind::point:
             return EditList::tr("Scan %1 is anchored to the point %2, %3 of the drawing")
                 .arg(scan)

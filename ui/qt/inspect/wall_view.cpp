@@ -50,6 +50,7 @@ WallView::WallView(const QString& name, const QString& empty_text, QWidget* pare
 
 void WallView::set_walls(Walls walls) {
     walls_ = std::move(walls);
+    set_turn(walls_.sided ? kPi / 2.0 : 0.0);  // ahead is up, as in the last scan
     std::vector<QPointF> all = walls_.dots;
     for (const QLineF& wall : walls_.walls) {
         all.push_back(wall.p1());

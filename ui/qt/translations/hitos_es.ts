@@ -104,12 +104,12 @@
         <translation>Las anclas (la %1 de los cambios a mano) no dicen dónde está el dibujo: hacen falta dos paredes que no sean paralelas, dos puntos o una de cada, y otras más para doblar el mapa.</translation>
     </message>
     <message>
-        <source>Anchors contradict each other or the map (%1 of the changes by hand): what was seen lies up to %2 m from where the drawing has it. Is each of them the right wall?</source>
-        <translation>Hay anclas que se contradicen entre sí o con el mapa (la %1 de los cambios a mano): lo visto queda hasta a %2 m de donde lo tiene el dibujo. ¿Es cada una la pared correcta?</translation>
+        <source>Anchors contradict each other or the map (%1 of the changes by hand): what was seen does not lie where the drawing has it. Is each of them the right wall?</source>
+        <translation>Hay anclas que se contradicen entre sí o con el mapa (la %1 de los cambios a mano): lo visto no está donde lo tiene el dibujo. ¿Es cada una la pared correcta?</translation>
     </message>
     <message>
-        <source>Anchors bend the map more than its edges explain (%1 of the changes by hand; chi-square %2, and %3 is usual): look whether each is the right wall, and walls meet.</source>
-        <translation>Hay anclas que doblan el mapa más de lo que explican sus aristas (la %1 de los cambios a mano; chi cuadrado %2, y lo corriente es %3): mire si cada una es la pared correcta y si las paredes casan.</translation>
+        <source>Anchors bend the map more than its edges explain (%1 of the changes by hand): is each of them the right wall, and do walls meet?</source>
+        <translation>Hay anclas que doblan el mapa más de lo que explican sus aristas (la %1 de los cambios a mano): ¿es cada una la pared correcta, y casan las paredes?</translation>
     </message>
 </context>
 <context>
@@ -6200,10 +6200,6 @@
         <translation>Por el último cambio: %1.</translation>
     </message>
     <message>
-        <source>Scan %1 is anchored to a wall of the drawing</source>
-        <translation>El barrido %1 está anclado a una pared del dibujo</translation>
-    </message>
-    <message>
         <source>Scan %1 is anchored to the point %2, %3 of the drawing</source>
         <translation>El barrido %1 está anclado al punto %2, %3 del dibujo</translation>
     </message>
@@ -6214,6 +6210,10 @@
     <message>
         <source>A wall or point of the scan that is shown is one of a drawing, or has known coordinates: the map bends to it</source>
         <translation>Una pared o un punto del barrido que se muestra es de un dibujo, o tiene coordenadas conocidas: el mapa se dobla hasta allí</translation>
+    </message>
+    <message>
+        <source>Scan %1 is anchored to a wall of the drawing, seen at %2°</source>
+        <translation>El barrido %1 está anclado a una pared del dibujo, vista a %2°</translation>
     </message>
 </context>
 <context>
