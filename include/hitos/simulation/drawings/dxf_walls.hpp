@@ -34,8 +34,8 @@ struct DxfOptions {
     std::string layer;
     /// Metres per drawing unit; nothing: as the drawing's $INSUNITS says, else 1.
     std::optional<double> unit_m;
-    /// A drawing that lies wholly farther than this from its origin [m] is moved there, and one that
-    /// has anything a thousand kilometres off; infinite: none is.
+    /// A drawing that lies wholly farther than this from its origin [m] is moved there, and one
+    /// that has anything a thousand kilometres off; infinite: none is.
     double far_m = 1e6;
 };
 
