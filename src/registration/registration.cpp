@@ -3,10 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
-#include "hitos/base/thread_crew.hpp"
 #include "hitos/registration/laid_drawing.hpp"
 #include "hitos/registration/odometry_step.hpp"
 #include "hitos/registration/pose_algebra.hpp"
@@ -22,8 +20,6 @@
 namespace hitos {
 namespace {
 
-constexpr double kMapHalf = 45.0;      // [m], of the local map
-constexpr double kOldKeysWay = 6.0;    // [m] along the graph, of old keys in the local map
 constexpr std::size_t kLoopEvery = 2;  // keys
 constexpr double kKeySlip = 0.01;      // [m] added to a key's standard deviation
 constexpr double kKeySlipRad = 0.002;  // [rad]
@@ -294,22 +290,6 @@ void Registration::Impl::correct(const std::vector<KeyPose>& keys_before) {
     map_stale_ = true;
 }
 
-void Registration::Impl::finish(bool another_follows) {
-    clock_.begin();
-    corrections_.clear();
-    if (!another_follows) editor_.check_end(placed_.size());
-    if (graph_.size() < 2) return;
-    const std::vector<KeyPose> before = graph_.poses;
-    solve(graph_.poses, graph_.edges, solution(10, true));
-    std::vector<std::vector<std::uint32_t>> older;  // of each key, by the first pass
-    for (int pass = 0; pass < params_.final_passes; ++pass) register_anew(older);
-    weigh_loops();
-    correct(before);
-    tell_edges(true);
-    closer_.forget();
-    clock_.ends(RegistrationStage::smoothing);
-}
-
 /// Anchors are edges from the first key for who knows no drawing, as soon as they say anything of
 /// how keys lie to each other. `anew` where more has changed than that edges came to the graph's.
 void Registration::Impl::tell_edges(bool anew) {
@@ -336,68 +316,6 @@ std::span<const PoseEdge> Registration::Impl::told_edges() const {
     return anchors_.empty() ? std::span<const PoseEdge>(graph_.edges) : told_;
 }
 
-/// Every key's scan against its neighbours as they lie now. The first pass finds out which are near
-/// along the graph, and some more than a map has: the next ones move keys by centimetres.
-void Registration::Impl::register_anew(std::vector<std::vector<std::uint32_t>>& older) {
-    const bool first_pass = older.empty();
-    older.resize(graph_.size());
-    constexpr MatchStage kWide{0.4, 0.1, true};
-    std::erase_if(graph_.edges, [&](const PoseEdge& edge) {
-        return (edge.kind == EdgeKind::scan || edge.kind == EdgeKind::loop) && edge.to >= held_;
-    });
-    constexpr std::size_t kTogether = 64;  // keys
-    const std::size_t begin = std::max<std::size_t>(held_, 1);
-    const std::size_t count = graph_.size() > begin ? graph_.size() - begin : 0;
-    std::vector<std::vector<PoseEdge>> found((count + kTogether - 1) / kTogether);
-    ThreadCrew crew(threads_);
-    crew(found.size(), [&](std::size_t piece) {
-        std::vector<GraphReach> reached;
-        std::vector<std::uint32_t> keys;
-        std::vector<Linearization> by_source;
-        PointMap map;
-        const std::size_t first = begin + piece * kTogether;
-        for (std::size_t k = first; k < std::min(first + kTogether, graph_.size()); ++k) {
-            const Pose& pose = graph_.poses[k].pose;
-            const MapOfKeys about{k, pose, newest_in_map()};
-            if (first_pass) {
-                constexpr double kWay = 2.0 * kOldKeysWay;
-                graph_.reach(k, reached, kWay);
-                older[k] = older_keys(graph_, about, reached, kWay, 2 * about.newest);
-            }
-            select_keys(graph_, about, older[k], keys);
-            build_map(graph_, keys, pose, kMapHalf, map);
-            by_source.assign(keys.size(), {});
-            const Linearization l =
-                matcher_.linearize(graph_.scans[k].points(), map, pose,
-                                   first_pass ? kWide : kFineStage, 1, &by_source);
-            if (l.matches < kLeastMatches) continue;
-            graph_.find_scan_edges(static_cast<std::uint32_t>(k), pose, keys, by_source,
-                                   matcher_.information(), newest_in_map(), found[piece]);
-        }
-    });
-    for (const std::vector<PoseEdge>& edges : found)
-        graph_.edges.insert(graph_.edges.end(), edges.begin(), edges.end());
-    solve(graph_.poses, graph_.edges, solution(3, true));
-}
-
-void Registration::Impl::weigh_loops() {
-    struct Weights {
-        double sum = 0.0;
-        int edges = 0;
-    };
-    std::map<std::uint64_t, Weights> by_scan;
-    for (const PoseEdge& edge : graph_.edges) {
-        if (edge.kind != EdgeKind::loop && edge.kind != EdgeKind::by_hand) continue;
-        Weights& weights = by_scan[graph_.poses[edge.to].scan];
-        weights.sum += edge_weight(edge, squared_distance(edge, std::nullopt));
-        ++weights.edges;
-    }
-    for (LoopRecord& loop : loops_) {
-        const Weights& weights = by_scan[loop.scan];
-        loop.weight = weights.sum / std::max(1, weights.edges);
-    }
-}
-
 std::vector<Pose> Registration::Impl::path() const {
     std::vector<Pose> poses;
     poses.reserve(placed_.size());
@@ -419,75 +337,6 @@ RegistrationFigures Registration::Impl::figures() const {
     figures.loops_refused = static_cast<std::uint64_t>(std::ranges::count_if(
         refused_, [](const LoopRecord& loop) { return loop.verdict != LoopVerdict::alone; }));
     return figures;
-}
-
-Registration::Registration(const RegistrationParams& params, int threads)
-    : impl_(std::make_unique<Impl>(params, threads)) {}
-Registration::~Registration() = default;
-Registration::Registration(Registration&&) noexcept = default;
-Registration& Registration::operator=(Registration&&) noexcept = default;
-Registration::Registration(const Registration& other)
-    : impl_(std::make_unique<Impl>(*other.impl_)) {
-    impl_->drop_pictures();
-}
-
-std::size_t Registration::bytes() const {
-    const KeyGraph& graph = impl_->graph();
-    return graph.size() * (sizeof(KeyPose) + sizeof(KeyScan) + sizeof(Pose)) +
-           graph.edges.size() * sizeof(PoseEdge);
-}
-
-RegisteredStep Registration::add(const Scan& scan, std::span<const Control> controls) {
-    return impl_->add(scan, controls);
-}
-std::optional<PathCorrection> Registration::correction() const {
-    return impl_->correction();
-}
-void Registration::time_stages() {
-    impl_->clock().set_going();
-}
-const RegistrationClock::Seconds& Registration::stages() const {
-    return impl_->clock().seconds();
-}
-void Registration::finish(bool another_follows) {
-    impl_->finish(another_follows);
-}
-void Registration::set_edits(const std::string& edits) {
-    impl_->set_edits(edits);
-}
-bool Registration::foresee(const std::string& edits) {
-    return impl_->foresee(edits);
-}
-LoopRecord Registration::fitted_loop(std::uint64_t scan, std::uint64_t earlier,
-                                     const Pose& start) const {
-    return impl_->fitted_loop(scan, earlier, start);
-}
-std::vector<Pose> Registration::path() const {
-    return impl_->path();
-}
-const std::vector<LoopRecord>& Registration::loops() const {
-    return impl_->loops();
-}
-const std::vector<LoopRecord>& Registration::refused_loops() const {
-    return impl_->refused_loops();
-}
-std::span<const KeyPose> Registration::keys() const {
-    return impl_->graph().poses;
-}
-std::span<const PoseEdge> Registration::edges() const {
-    return impl_->told_edges();
-}
-double Registration::chi_square() const {
-    return impl_->chi_square();
-}
-std::optional<LaidDrawing> Registration::drawing() const {
-    return laid_drawing(impl_->graph().poses, impl_->graph().edges);
-}
-RegistrationFigures Registration::figures() const {
-    return impl_->figures();
-}
-std::vector<ChangedPlace> Registration::changes() const {
-    return impl_->changes();
 }
 
 }  // namespace hitos

@@ -21,6 +21,9 @@
 
 namespace hitos {
 
+inline constexpr double kMapHalf = 45.0;    // [m], of the local map
+inline constexpr double kOldKeysWay = 6.0;  // [m] along the graph, of old keys in the local map
+
 class Registration::Impl {
   public:
     Impl(const RegistrationParams& params, int threads)
