@@ -356,7 +356,9 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
     const double began = thread_seconds();
     summary = summary_of(run, finished.map, finished.best, references, stop);
     if (run.options().time_stages) {
-        summary.times.emplace(RunTimes{.before = run.seconds_before(), .stages = run.stages()});
+        summary.times.emplace();
+        summary.times->before = run.seconds_before();
+        summary.times->stages = run.stages();
         summary.times->judging = thread_seconds() - began;
         if (run.registration() != nullptr)
             summary.times->registration = run.registration()->stages();

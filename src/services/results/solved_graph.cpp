@@ -21,7 +21,8 @@ namespace hitos {
 
 SolvedGraph solved_graph(PlanarGraph graph, const PlacedEdits& edits, const GraphChoices& choices,
                          PlanarStart start, const std::stop_token& stop) {
-    SolvedGraph solved{std::move(graph)};
+    SolvedGraph solved;
+    solved.graph = std::move(graph);
     edit(solved.graph, edits);
     const auto begin = std::chrono::steady_clock::now();
     solved.solution = solve(solved.graph, choices.robust, start, stop);
