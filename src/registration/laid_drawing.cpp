@@ -54,28 +54,46 @@ std::optional<LaidDrawing> laid_drawing(std::span<const KeyPose> keys,
         if (edge.kind == EdgeKind::anchor) anchors.push_back(edge);
     }
     if (anchors.empty()) return std::nullopt;
+    Point2 origin{};
+    const auto count_from = [&](const Point2& place) {
+        origin = {origin.x + place.x, origin.y + place.y};
+        for (PoseEdge& anchor : anchors) {
+            anchor.z.x -= place.x;
+            anchor.z.y -= place.y;
+        }
+    };
     // About the first anchor's place: coordinates of surveys are millions of metres.
-    const Point2 origin{anchors.front().z.x, anchors.front().z.y};
-    for (PoseEdge& anchor : anchors) {
-        anchor.z.x -= origin.x;
-        anchor.z.y -= origin.y;
+    count_from({anchors.front().z.x, anchors.front().z.y});
+    Point2 middle{};  // of where they were seen
+    for (const PoseEdge& anchor : anchors) {
+        const Point2 seen = seen_at(keys, anchor);
+        middle.x += seen.x / static_cast<double>(anchors.size());
+        middle.y += seen.y / static_cast<double>(anchors.size());
     }
     const Point2 at = seen_at(keys, anchors.front());
     Pose pose{at.x, at.y, first_heading(keys, anchors)};
     Eigen::Matrix3d h;
-    for (int step = 0; step < kMostSteps; ++step) {
-        h.setZero();
-        Eigen::Vector3d b = Eigen::Vector3d::Zero();
-        for (const PoseEdge& anchor : anchors) {
-            const EdgeError error = edge_error(anchor, pose, keys[anchor.to].pose);
-            h += error.by_from.transpose() * anchor.information * error.by_from;
-            b += error.by_from.transpose() * (anchor.information * error.value);
+    const auto solve = [&] {
+        for (int step = 0; step < kMostSteps; ++step) {
+            h.setZero();
+            Eigen::Vector3d b = Eigen::Vector3d::Zero();
+            for (const PoseEdge& anchor : anchors) {
+                const EdgeError error = edge_error(anchor, pose, keys[anchor.to].pose);
+                h += error.by_from.transpose() * anchor.information * error.by_from;
+                b += error.by_from.transpose() * (anchor.information * error.value);
+            }
+            const Eigen::Matrix3d regular = h + kRegular * Eigen::Matrix3d::Identity();
+            const Eigen::Vector3d move = -regular.ldlt().solve(b);
+            pose = shifted(pose, move);
+            if (move.norm() < kStill) break;
         }
-        const Eigen::Matrix3d regular = h + kRegular * Eigen::Matrix3d::Identity();
-        const Eigen::Vector3d move = -regular.ldlt().solve(b);
-        pose = shifted(pose, move);
-        if (move.norm() < kStill) break;
-    }
+    };
+    solve();
+    // Again about what was seen: a wall may be drawn by two places far from there.
+    const Point2 seen = transform(inverse(pose), middle);
+    count_from(seen);
+    pose = compose(pose, {seen.x, seen.y, 0.0});
+    solve();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> known(h, Eigen::EigenvaluesOnly);
     return LaidDrawing{compose(pose, {-origin.x, -origin.y, 0.0}), known.eigenvalues()(0) > 1.0};
 }

@@ -100,8 +100,9 @@ Table loop_entries() {
              HITOS_TEXT("Parameter",
                         "What is changed in the graph of this very tour: \"refuse SCAN EARLIER\" "
                         "(no loop), \"close SCAN EARLIER X Y THETA\" (a loop), \"fix SCAN X Y "
-                        "THETA\", \"slip SCAN\", with semicolons between; a file of them is read "
-                        "by --edits.")}),
+                        "THETA\", \"slip SCAN\", \"wall SCAN BEARING X1 Y1 X2 Y2\" and \"point "
+                        "SCAN DX DY X Y\" (anchors to a drawing), with semicolons between; a file "
+                        "of them is read by --edits.")}),
     };
 }
 

@@ -127,7 +127,7 @@ TEST_F(LoopsTest, ARunIsAnchoredToADrawing) {
                     100.0 - before.x - 0.3, 50.0 - before.y);
     const test::Outcome told = run("first", "--set 'registration.edits=" + edits + "'");
     ASSERT_EQ(told.status, 0) << told.output;
-    EXPECT_THAT(told.output, HasSubstr("anchored to a drawing that lies at"));
+    EXPECT_THAT(told.output, HasSubstr("anchored to a drawing, where the first scan lies at"));
     const json drawing = quality_of("first")["drawing"];
     EXPECT_TRUE(drawing["firm"]);
     EXPECT_NEAR(drawing["x"].get<double>(), 100.0, 0.3);

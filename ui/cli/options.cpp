@@ -166,9 +166,11 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
                     "hitos-cli parameters lists them")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    command.add_option("--edits", options.values.edits,
-                       "File of what is changed by hand in the graph of this very tour: loops "
-                       "refused or closed, scans fixed, steps that slipped (docs/formats.md)");
+    command.add_option(
+        "--edits", options.values.edits,
+        "File of what is changed by hand in the graph of this very tour: loops "
+        "refused or closed, scans fixed or anchored to a drawing, steps that slipped "
+        "(docs/formats.md)");
     manual::add_map_options(command, options.values);
     command
         .add_option("--world-set", options.values.world_assignments,

@@ -81,9 +81,11 @@ void tell_summary(const RunSummary& summary, const std::string& folder, const Re
         if (by_hand + refused > 0)
             report.say("  by hand {} closed and {} refused\n", by_hand, refused);
         if (figures->drawing && figures->drawing->firm) {
-            const Pose& at = figures->drawing->pose;
-            report.say("  anchored to a drawing that lies at {:.3f}, {:.3f} m, {:.2f} degrees\n",
-                       at.x, at.y, at.theta * 180.0 / kPi);
+            const Pose start = inverse(figures->drawing->pose);
+            report.say(
+                "  anchored to a drawing, where the first scan lies at {:.2f}, {:.2f} m, "
+                "{:.2f} degrees\n",
+                start.x, start.y, start.theta * 180.0 / kPi);
         }
         if (const LoopPrecision precision = precision_of(summary.quality.loops);
             precision.judged > 0) {

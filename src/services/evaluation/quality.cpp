@@ -196,11 +196,11 @@ std::vector<std::uint64_t> numbers_of(std::span<const AnchorFigures> anchors) {
 }
 
 /// That anchors to a drawing bend the map more than anything else in it explains, contradict each
-/// other, or say nothing.
-void warn_of_anchors(const RegistrationFigures& figures, std::vector<Advice>& warnings) {
+/// other, or say nothing. Returns whether the path may be bent by wrong ones.
+bool warn_of_anchors(const RegistrationFigures& figures, std::vector<Advice>& warnings) {
     constexpr double kOff_m = 0.15;  // three standard deviations
     constexpr double kOff_rad = 0.03;
-    if (!figures.drawing) return;
+    if (!figures.drawing) return false;
     if (!figures.drawing->firm) {
         warn(
             warnings,
@@ -209,7 +209,6 @@ void warn_of_anchors(const RegistrationFigures& figures, std::vector<Advice>& wa
                        "it takes two walls that are not parallel, two points, or one of each, and "
                        "further ones to bend the map."),
             counted(numbers_of(figures.anchors)));
-        return;
     }
     std::vector<AnchorFigures> strained;
     std::vector<AnchorFigures> off;
@@ -226,13 +225,16 @@ void warn_of_anchors(const RegistrationFigures& figures, std::vector<Advice>& wa
                        "was seen does not lie where the drawing has it. Is each of them the right "
                        "wall?"),
             counted(numbers_of(off)));
-    } else if (!strained.empty()) {
+    }
+    // One that is wrong may pull others off, and lie well itself.
+    if (!strained.empty()) {
         warn(warnings,
              HITOS_TEXT("Advice",
                         "Anchors bend the map more than its edges explain (%1 of the changes by "
                         "hand): is each of them the right wall, and do walls meet?"),
              counted(numbers_of(strained)));
     }
+    return !off.empty() || !strained.empty();
 }
 
 void warn_of_registration(const Registration& registration, const Trajectory& odometry,
@@ -290,7 +292,7 @@ void warn_of_registration(const Registration& registration, const Trajectory& od
              fmt::format("{:.1f} m", moved_m));
     }
     const DrivenBy driven = driven_by(registration, odometry);
-    warn_of_scale(driven, warnings);
+    if (!warn_of_anchors(figures, warnings)) warn_of_scale(driven, warnings);
     std::vector<std::uint64_t> misfits;
     for (const LoopRecord& loop : registration.loops())
         if (loop.by_hand && loop.score < kFitsByHand) misfits.push_back(loop.scan);
@@ -309,7 +311,6 @@ void warn_of_registration(const Registration& registration, const Trajectory& od
                         "nobody has found, or scans that the tour has not come to."),
              counted(figures.edits_unmet));
     }
-    warn_of_anchors(figures, warnings);
     if (registration.loops().empty() && driven.path_m > kLongWithoutLoop) {
         warn(warnings,
              HITOS_TEXT("Advice",

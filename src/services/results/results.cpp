@@ -66,6 +66,8 @@ ordered_json json_of_drawing(const RegistrationFigures& figures) {
                       {"x", figures.drawing->pose.x},
                       {"y", figures.drawing->pose.y},
                       {"theta", figures.drawing->pose.theta}};
+    const Pose start = inverse(figures.drawing->pose);
+    json["start"] = {{"x", start.x}, {"y", start.y}, {"theta", start.theta}};
     json["anchors"] = ordered_json::array();
     for (const AnchorFigures& anchor : figures.anchors) {
         ordered_json& one = json["anchors"].emplace_back();

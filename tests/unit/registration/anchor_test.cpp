@@ -295,6 +295,12 @@ TEST(LaidDrawing, IsFirmWhereAnchorsSayAllOfIt) {
         edge.information.diagonal().head<2>().setConstant(400.0);
         return edge;
     };
+    // Any two places on it draw a wall.
+    const auto far = [&](PoseEdge edge, double heading) {
+        edge.z.x += 1000.0 * std::cos(heading);
+        edge.z.y += 1000.0 * std::sin(heading);
+        return edge;
+    };
     using Edges = std::vector<PoseEdge>;
     EXPECT_FALSE(laid_drawing(keys, Edges{PoseEdge{0, 1, {}, {}, EdgeKind::by_hand}}));
     for (const auto& [edges, firm] :
@@ -302,6 +308,8 @@ TEST(LaidDrawing, IsFirmWhereAnchorsSayAllOfIt) {
           std::pair(Edges{wall(0, 0.3), wall(1, 0.3)}, false),
           std::pair(Edges{wall(0, 0.3), wall(1, 1.8)}, true),
           std::pair(Edges{point(0), wall(0, 1.0)}, true),
+          std::pair(Edges{far(wall(0, 0.3), 0.3), wall(1, 1.8)}, true),
+          std::pair(Edges{far(wall(0, 0.3), 0.3), wall(1, 0.3)}, false),
           std::pair(Edges{point(0), point(1)}, true)}) {
         const auto laid = laid_drawing(keys, edges);
         ASSERT_TRUE(laid);

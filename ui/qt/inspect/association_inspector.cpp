@@ -151,8 +151,8 @@ AssociationInspector::AssociationInspector(Session& session, QWidget* parent)
     sides->addLayout(seen, 1);
     auto* why = new QVBoxLayout;
     sides->addLayout(why, 1);
-    constexpr int kBeside = 640;
-    stack_when_narrow(*this, *sides, kBeside);
+    constexpr int kWide = 640;
+    stack_when_narrow(*this, *sides, kWide);
     of_particle_ = new QWidget(this);
     auto* row = new QHBoxLayout(of_particle_);
     row->setContentsMargins(0, 0, 0, 0);

@@ -280,8 +280,8 @@ JointCovariance::JointCovariance(Session& session, QWidget* parent)
     row->addWidget(view_, 1);
     auto* column = new QVBoxLayout;
     row->addLayout(column, 1);  // beside the square, not at the far end
-    constexpr int kBeside = 480;
-    stack_when_narrow(*this, *row, kBeside);
+    constexpr int kWide = 480;
+    stack_when_narrow(*this, *row, kWide);
     words_ = new QLabel(this);
     words_->setObjectName("joint_words");
     words_->setTextFormat(Qt::PlainText);

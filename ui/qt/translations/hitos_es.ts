@@ -4064,10 +4064,6 @@
         <translation>uno de cada tantos rayos se traza y las distancias intermedias se interpolan, como puede hacer Stage 2; 1: todos</translation>
     </message>
     <message>
-        <source>What is changed in the graph of this very tour: &quot;refuse SCAN EARLIER&quot; (no loop), &quot;close SCAN EARLIER X Y THETA&quot; (a loop), &quot;fix SCAN X Y THETA&quot;, &quot;slip SCAN&quot;, with semicolons between; a file of them is read by --edits.</source>
-        <translation>Lo que se cambia en el grafo de este mismo recorrido: «refuse SCAN EARLIER» (no es un bucle), «close SCAN EARLIER X Y THETA» (lo es), «fix SCAN X Y THETA», «slip SCAN», separados por punto y coma; --edits lee un archivo de ellos.</translation>
-    </message>
-    <message>
         <source>Whether the map of the tour before (source.map) stays as it is: the robot is found in it and followed, and nothing is added.</source>
         <translation>Si el mapa del recorrido anterior (source.map) queda como está: se encuentra al robot en él y se le sigue, y no se añade nada.</translation>
     </message>
@@ -4118,6 +4114,10 @@
     <message>
         <source>Fewest points of a circle; a higher value takes fewer of the trees that are far away, and less that is none.</source>
         <translation>Mínimo de puntos de un círculo; un valor mayor admite menos árboles lejanos, y menos cosas que no lo son.</translation>
+    </message>
+    <message>
+        <source>What is changed in the graph of this very tour: &quot;refuse SCAN EARLIER&quot; (no loop), &quot;close SCAN EARLIER X Y THETA&quot; (a loop), &quot;fix SCAN X Y THETA&quot;, &quot;slip SCAN&quot;, &quot;wall SCAN BEARING X1 Y1 X2 Y2&quot; and &quot;point SCAN DX DY X Y&quot; (anchors to a drawing), with semicolons between; a file of them is read by --edits.</source>
+        <translation>Lo que se cambia en el grafo de este mismo recorrido: «refuse SCAN EARLIER» (no es un bucle), «close SCAN EARLIER X Y THETA» (lo es), «fix SCAN X Y THETA», «slip SCAN», «wall SCAN BEARING X1 Y1 X2 Y2» y «point SCAN DX DY X Y» (anclas a un dibujo), separados por punto y coma; --edits lee un archivo de ellos.</translation>
     </message>
 </context>
 <context>
