@@ -16,6 +16,8 @@
 
 namespace hitos {
 
+/// Threads that come as long as there is work for them, and wait between; one alone works in the
+/// caller's.
 class ThreadCrew {
   public:
     /// `threads` 0: as many as the machine has.

@@ -13,6 +13,7 @@ namespace hitos {
 
 /// Where the processor time of a run went [s].
 struct RunTimes {
+    /// What one output took.
     struct File {
         std::string name;  ///< of the output's first file
         double seconds = 0.0;

@@ -14,6 +14,7 @@
 
 namespace hitos {
 
+/// A graph from a file as it was changed and solved.
 struct SolvedGraph {
     PlanarGraph graph;
     PlanarSolution solution;
