@@ -198,8 +198,8 @@ std::vector<std::uint64_t> numbers_of(std::span<const AnchorFigures> anchors) {
 /// That anchors to a drawing bend the map more than anything else in it explains, contradict each
 /// other, or say nothing. Returns whether the path may be bent by wrong ones.
 bool warn_of_anchors(const RegistrationFigures& figures, std::vector<Advice>& warnings) {
-    constexpr double kOff_m = 0.15;  // three standard deviations
-    constexpr double kOff_rad = 0.03;
+    constexpr double kOffM = 0.15;  // three standard deviations
+    constexpr double kOffRad = 0.03;
     if (!figures.drawing) return false;
     if (!figures.drawing->firm) {
         warn(
@@ -214,7 +214,7 @@ bool warn_of_anchors(const RegistrationFigures& figures, std::vector<Advice>& wa
     std::vector<AnchorFigures> off;
     for (const AnchorFigures& anchor : figures.anchors) {
         if (anchor.chi_square > anchor.chi_square_limit) strained.push_back(anchor);
-        if (anchor.off_m > kOff_m || std::abs(anchor.off_rad.value_or(0.0)) > kOff_rad)
+        if (anchor.off_m > kOffM || std::abs(anchor.off_rad.value_or(0.0)) > kOffRad)
             off.push_back(anchor);
     }
     if (!off.empty()) {
