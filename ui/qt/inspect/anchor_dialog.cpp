@@ -365,7 +365,7 @@ QString AnchorDialog::words_of_fit(const GraphEdit& edit) const {
     const double across =
         ((middle.x - edit.left.x) * drawn.dy() - (middle.y - edit.left.y) * drawn.dx()) /
         drawn.length();
-    const QString words =
+    QString words =
         tr("As the anchors so far lay the drawing, the wall is %1 m off and turned by %2°.")
             .arg(std::abs(across), 0, 'f', 2)
             .arg(std::abs(turned) * kDegreesPerRadian, 0, 'f', 1);

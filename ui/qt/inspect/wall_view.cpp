@@ -43,8 +43,8 @@ QLineF seen_from(const QLineF& wall, const QPointF& eye) {
     return cross(wall.p1() - eye, wall.p2() - eye) < 0.0 ? wall : QLineF(wall.p2(), wall.p1());
 }
 
-WallView::WallView(const QString& name, const QString& empty_text, QWidget* parent)
-    : CanvasView(parent), empty_text_(empty_text) {
+WallView::WallView(const QString& name, QString empty_text, QWidget* parent)
+    : CanvasView(parent), empty_text_(std::move(empty_text)) {
     setAccessibleName(name);
 }
 

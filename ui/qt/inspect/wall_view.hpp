@@ -27,7 +27,7 @@ class WallView final : public CanvasView {
         bool sided = false;  ///< they lead from left to right as the robot sees them already
     };
 
-    WallView(const QString& name, const QString& empty_text, QWidget* parent);
+    WallView(const QString& name, QString empty_text, QWidget* parent);
 
     /// What was chosen stays.
     void set_walls(Walls walls);
