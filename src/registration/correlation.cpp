@@ -5,7 +5,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -96,8 +95,7 @@ class Square {
 
     /// By sum; of equal ones finer squares are the greater, then those of lower place, so that the
     /// order never depends on how a heap is built.
-    friend auto operator<=>(Square a, Square b) { return a.number_ <=> b.number_; }
-    friend bool operator==(Square a, Square b) { return a.number_ == b.number_; }
+    friend bool operator<(Square a, Square b) { return a.number_ < b.number_; }
 
   private:
     static constexpr std::uint64_t ones(int bits) { return (std::uint64_t{1} << bits) - 1; }
@@ -126,7 +124,7 @@ class FallingSquares {
         const auto place = static_cast<std::size_t>(square.sum() >> shift_);
         assert(place < heaps_.size());
         heaps_[place].push_back(square);
-        if (place + 1 == heaps_.size()) std::ranges::push_heap(heaps_.back());
+        if (place + 1 == heaps_.size()) std::push_heap(heaps_.back().begin(), heaps_.back().end());
     }
     /// The greatest; null where there is none.
     const Square* top() {
@@ -134,13 +132,13 @@ class FallingSquares {
         while (heaps_.back().empty()) {
             heaps_.pop_back();
             if (heaps_.empty()) return nullptr;
-            std::ranges::make_heap(heaps_.back());
+            std::make_heap(heaps_.back().begin(), heaps_.back().end());
         }
         return heaps_.back().data();
     }
     /// Of what is not empty.
     void pop() {
-        std::ranges::pop_heap(heaps_.back());
+        std::pop_heap(heaps_.back().begin(), heaps_.back().end());
         heaps_.back().pop_back();
     }
 
