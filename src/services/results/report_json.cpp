@@ -2,8 +2,6 @@
 #include "report_json.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -12,18 +10,6 @@
 namespace hitos {
 
 using nlohmann::ordered_json;
-
-namespace {
-
-template <std::size_t kStages>
-ordered_json json_of(const std::array<const char*, kStages>& names,
-                     const std::array<double, kStages>& seconds) {
-    ordered_json json;
-    for (std::size_t i = 0; i < kStages; ++i) json[names.at(i)] = seconds.at(i);
-    return json;
-}
-
-}  // namespace
 
 ordered_json json_of(const RunTimes& times) {
     ordered_json json{{"before_s", times.before}, {"stages_s", json_of(kRunStages, times.stages)}};

@@ -2,6 +2,8 @@
 // What summaries of runs and records of studies state alike.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -18,6 +20,15 @@ nlohmann::ordered_json json_of(const std::optional<double>& figure, const Measur
 
 /// Its word, its number and its sentences in English.
 nlohmann::ordered_json json_of(const TourFinding& finding);
+
+/// The seconds of stages, by their names.
+template <std::size_t kStages>
+nlohmann::ordered_json json_of(const std::array<const char*, kStages>& names,
+                               const std::array<double, kStages>& seconds) {
+    nlohmann::ordered_json json;
+    for (std::size_t i = 0; i < kStages; ++i) json[names.at(i)] = seconds.at(i);
+    return json;
+}
 
 nlohmann::ordered_json json_of(const RunTimes& times);
 

@@ -15,10 +15,7 @@
 namespace hitos {
 
 nlohmann::ordered_json stages_json(const std::optional<StageSeconds>& stages) {
-    nlohmann::ordered_json json;
-    for (std::size_t i = 0; stages && i < kRunStages.size(); ++i)
-        json[kRunStages.at(i)] = stages->at(i);
-    return json;
+    return stages ? json_of(kRunStages, *stages) : nlohmann::ordered_json();
 }
 
 std::optional<StageSeconds> stages_in(const nlohmann::ordered_json& json) {
