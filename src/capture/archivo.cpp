@@ -8,13 +8,18 @@
 namespace hitos {
 
 struct Archivo::Cursor {
-    explicit Cursor(const std::filesystem::path& file) : path(file), reader(file) {}
+    Cursor(const std::filesystem::path& file, FileExtent extent)
+        : path(file), reader(file, std::move(extent)) {}
     std::filesystem::path path;
     LineReader reader;
 };
 
 Archivo::Archivo(std::filesystem::path path, const LogFormat& format, ReadOptions options)
-    : path_(std::move(path)), format_(format), options_(std::move(options)) {
+    : Archivo(std::move(path), format, std::move(options), Part::whole) {}
+
+Archivo::Archivo(std::filesystem::path path, const LogFormat& format, ReadOptions options,
+                 Part part)
+    : path_(std::move(path)), format_(format), options_(std::move(options)), part_(part) {
     std::vector<std::filesystem::path> files = {path_, path_};
     if (format_.files != nullptr) files = format_.files(path_);
     if (files.empty()) {
@@ -24,8 +29,10 @@ Archivo::Archivo(std::filesystem::path path, const LogFormat& format, ReadOption
             format_.word, format_.purpose);
     }
     apart_ = files[0] != files[1];
-    scans_ = std::make_unique<Cursor>(files[0]);
-    odometry_ = std::make_unique<Cursor>(files[1]);
+    const FileExtent extent = part_ == Part::opening ? FileExtent{options_.opening_bytes}
+                                                     : FileExtent{.growth = options_.growth};
+    scans_ = std::make_unique<Cursor>(files[0], extent);
+    odometry_ = std::make_unique<Cursor>(files[1], extent);
     if (format_.classify != nullptr && format_.make_conversor != nullptr) return;
     throw ConfigError(
         "source.format",
@@ -60,6 +67,8 @@ std::optional<RawLine> Archivo::read(Cursor& cursor, LineKind wanted) {
         if (line->text.empty() || line->text.front() == '#') continue;
         const LineKind kind = format_.classify(line->text);
         if (kind == wanted || kind == LineKind::both) {
+            if (options_.growth && part_ == Part::whole)
+                options_.growth->note_taken(cursor.reader.consumed());
             return RawLine{line->text, line->number, kind == LineKind::both};
         }
         const bool elsewhere = apart_ && kind != LineKind::other;  // a line of the other file
@@ -72,6 +81,7 @@ std::optional<RawLine> Archivo::read(Cursor& cursor, LineKind wanted) {
 }
 
 std::optional<double> Archivo::progress() const {
+    if (options_.growth && !options_.growth->ended()) return std::nullopt;
     return scans_->reader.bytes().progress();
 }
 
@@ -85,7 +95,12 @@ std::vector<TourFinding> Archivo::findings() const {
 }
 
 std::unique_ptr<Fuente> Archivo::reopen() const {
-    return std::make_unique<Archivo>(path_, format_, options_);
+    return std::unique_ptr<Fuente>(new Archivo(path_, format_, options_, part_));
+}
+
+std::unique_ptr<Fuente> Archivo::opening() const {
+    if (options_.opening_bytes == 0) return reopen();
+    return std::unique_ptr<Fuente>(new Archivo(path_, format_, options_, Part::opening));
 }
 
 }  // namespace hitos

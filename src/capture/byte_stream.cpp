@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
+#include <utility>
 
 namespace hitos {
 namespace {
@@ -29,7 +30,8 @@ struct ByteStream::Inflater {
     Inflater& operator=(const Inflater&) = delete;
 };
 
-ByteStream::ByteStream(const std::filesystem::path& path) : file_(path), input_(kInputBytes) {
+ByteStream::ByteStream(const std::filesystem::path& path, FileExtent extent)
+    : file_(path, std::move(extent)), input_(kInputBytes) {
     refill();
     if (is_gzip_magic(input_.data(), input_end_)) inflater_ = std::make_unique<Inflater>();
 }

@@ -22,7 +22,7 @@ inline constexpr std::size_t kInputBytes = std::size_t{1} << 16;
 class ByteStream {
   public:
     /// Throws FileError where the path is missing, no regular file, or cannot be opened.
-    explicit ByteStream(const std::filesystem::path& path);
+    explicit ByteStream(const std::filesystem::path& path, FileExtent extent = {});
     ~ByteStream();
     ByteStream(const ByteStream&) = delete;
     ByteStream& operator=(const ByteStream&) = delete;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "byte_stream.hpp"
@@ -27,7 +28,8 @@ class LineReader {
         bool too_long = false;     ///< that is what is wrong
     };
 
-    explicit LineReader(const std::filesystem::path& path) : bytes_(path) {}
+    explicit LineReader(const std::filesystem::path& path, FileExtent extent = {})
+        : bytes_(path, std::move(extent)) {}
     std::optional<Line> next();
 
     const ByteStream& bytes() const { return bytes_; }

@@ -194,6 +194,29 @@ void refuse_drawing(const std::filesystem::path& path, const Probe& found) {
         said, likely.word);
 }
 
+/// Whether it is a recording that is compressed as a whole.
+bool is_unpacked_first(const std::filesystem::path& path) {
+    std::array<char, 16> found{};
+    const std::size_t got = RegularFile(path).read_at(0, found);
+    return !std::string_view(found.data(), got).starts_with(unpacked_beginning(path, 4));
+}
+
+/// What came in live, or does, stands in the file as it is read.
+void refuse_growth(const std::string& path, const LogFormat& format, bool compressed,
+                   const ReadOptions& options) {
+    const bool live = options.growth != nullptr || options.opening_bytes > 0;
+    if (!live || (format.may_grow && !compressed)) return;
+    throw FormatError(path, 0,
+                      compressed
+                          ? message(HITOS_TEXT("Errors",
+                                               "is compressed; a log that is followed while it is "
+                                               "written is plain text or MCAP"))
+                          : message(HITOS_TEXT("Errors",
+                                               "is of the format %1; a log that is followed while "
+                                               "it is written is text in one file, or MCAP"),
+                                    format.word));
+}
+
 }  // namespace
 
 const LogFormat* recording_format(const std::filesystem::path& path) {
@@ -214,6 +237,8 @@ std::unique_ptr<Fuente> open_log(const std::filesystem::path& path, std::string_
         if (format != kAutoFormat && format != recording->word) {
             refuse_format(path.string(), format, *recording);
         }
+        refuse_growth(path.string(), *recording, recording->may_grow && is_unpacked_first(path),
+                      options);
         return recording->open(path, *recording, options);
     }
     const Probe found = probe(path);
@@ -223,11 +248,11 @@ std::unique_ptr<Fuente> open_log(const std::filesystem::path& path, std::string_
     const std::vector<LogFormat>& formats = log_formats().entries();
     const auto most = std::ranges::max_element(found.votes) - found.votes.begin();
     const LogFormat& likely = formats[static_cast<std::size_t>(most)];
-    if (format == kAutoFormat) return std::make_unique<Archivo>(path, likely, options);
-    const LogFormat& said = log_formats().find(format);
+    const LogFormat& said = format == kAutoFormat ? likely : log_formats().find(format);
     if (found.votes[static_cast<std::size_t>(&said - formats.data())] == 0) {
         refuse_format(path.string(), said.word, likely);
     }
+    refuse_growth(path.string(), said, found.gzip, options);
     return std::make_unique<Archivo>(path, said, options);
 }
 

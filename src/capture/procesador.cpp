@@ -231,7 +231,7 @@ std::vector<TourFinding> Procesador::findings() const {
 void Procesador::look_ahead() {
     if (looked_ahead_) return;
     // By a reader of its own: what this one's odometry sequence loses belongs to that sequence.
-    Procesador ahead(fuente_->reopen(), without_look_ahead(options_));
+    Procesador ahead(fuente_->opening(), without_look_ahead(options_));
     const std::optional<Odometria> first = ahead.next_odometry();
     if (first) odometry_begin_s_ = first->time_s;
     only_poses_ = ahead.only_poses_;

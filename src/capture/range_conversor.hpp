@@ -85,7 +85,7 @@ template <class Take>
 void look_at_readings(const Fuente& fuente, RangeConversor& conversor, Take take) {
     constexpr int kScans = 50;
     constexpr int kLines = 2000;
-    const std::unique_ptr<Fuente> ahead = fuente.reopen();
+    const std::unique_ptr<Fuente> ahead = fuente.opening();
     RangeConversor::Readings readings;
     int scans = 0;
     for (int lines = 0; lines < kLines && scans < kScans; ++lines) {

@@ -40,7 +40,7 @@ void leave_out_code(std::vector<double>& values) {
 double way_shown(const Fuente& fuente, const ReadOptions& options) {
     constexpr int kScans = 2000;
     TourExamination examination(options);
-    Procesador tour(fuente.reopen(), options);
+    Procesador tour(fuente.opening(), options);
     double last_s = 0.0;
     for (int i = 0; i < kScans; ++i) {
         const std::optional<Scan> scan = tour.next_scan();

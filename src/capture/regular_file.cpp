@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <utility>
 
@@ -12,7 +13,8 @@
 
 namespace hitos {
 
-RegularFile::RegularFile(const std::filesystem::path& path) : path_(path) {
+RegularFile::RegularFile(const std::filesystem::path& path, FileExtent extent)
+    : path_(path), extent_(std::move(extent)) {
     descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor_ < 0) {
         const int error = errno;
@@ -34,7 +36,7 @@ RegularFile::RegularFile(const std::filesystem::path& path) : path_(path) {
                 ? message(HITOS_TEXT("Errors", "is a folder; choose a log file inside it"))
                 : message(HITOS_TEXT("Errors", "is no regular file; copy the log to one first")));
     }
-    size_ = static_cast<std::uint64_t>(status.st_size);
+    size_ = std::min(extent_.limit, static_cast<std::uint64_t>(status.st_size));
 }
 
 RegularFile::RegularFile(int descriptor, std::uint64_t size, std::filesystem::path path)
@@ -42,17 +44,27 @@ RegularFile::RegularFile(int descriptor, std::uint64_t size, std::filesystem::pa
 
 RegularFile::RegularFile(RegularFile&& other) noexcept
     : path_(std::move(other.path_)),
+      extent_(std::move(other.extent_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
-      size_(other.size_) {}
+      size_(other.size_),
+      position_(other.position_) {}
 
 RegularFile::~RegularFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 std::size_t RegularFile::read(std::span<char> out) {
+    if (extent_.growth && !extent_.growth->wait_beyond(position_)) return 0;
+    if (extent_.growth || extent_.limit != FileExtent{}.limit) {
+        const std::uint64_t end = size();
+        out = out.first(std::min<std::uint64_t>(out.size(), end - std::min(end, position_)));
+    }
     for (;;) {
         const ssize_t got = ::read(descriptor_, out.data(), out.size());
-        if (got >= 0) return static_cast<std::size_t>(got);
+        if (got >= 0) {
+            position_ += static_cast<std::uint64_t>(got);
+            return static_cast<std::size_t>(got);
+        }
         if (errno == EINTR) continue;
         throw FileError(path_.string(), HITOS_TEXT("Errors", "reading fails: %1"),
                         system_message(errno));
@@ -76,6 +88,7 @@ std::size_t RegularFile::read_at(std::uint64_t offset, std::span<char> out) cons
 }
 
 void RegularFile::seek(std::uint64_t offset) {
+    position_ = offset;
     if (::lseek(descriptor_, static_cast<off_t>(offset), SEEK_SET) < 0) {
         throw FileError(path_.string(), HITOS_TEXT("Errors", "reading fails: %1"),
                         system_message(errno));

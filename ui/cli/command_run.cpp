@@ -39,6 +39,7 @@
 #include "hitos/slam/filters.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
+#include "live_run.hpp"
 #include "options.hpp"
 #include "progress_line.hpp"
 #include "report.hpp"
@@ -65,6 +66,7 @@ struct RunOptions {
     std::string out;
     bool replace = false;
     bool json = false;
+    LiveOptions live;
 };
 
 constexpr int kNotWhole = 2;  // the program's status
@@ -170,13 +172,43 @@ class LogWatch {
     std::uint64_t unchanged_for_ = 0;
 };
 
+/// Whatever ends a run, its worker is not to wait for more.
+struct EndOfFollowing {
+    std::optional<LiveRun>& live;
+    ~EndOfFollowing() {
+        if (live) live->end();
+    }
+};
+
+[[noreturn]] void end_before_the_first_scan() {
+    fmt::print(stderr, "stopped before the first scan; nothing is written\n");
+    throw CLI::RuntimeError(StopByRequest::status());
+}
+
 void run(const RunOptions& options) {
-    const std::string source = source_named(input_named(options.log, "log"));
+    // Before there is anything to be cleared. Of a tour that is followed the first request is its
+    // end, and what follows on that takes its time.
+    const StopByRequest request(options.live.follow ? StopByRequest::Patience::endless
+                                                    : StopByRequest::Patience::two_seconds);
+    std::optional<LiveRun> live;
+    ReadOptions opening;
+    if (options.live.follow) {
+        SourceParams wanted = load(options.configuration, {}).source;
+        options.source.choose(wanted);
+        live.emplace(options.live, options.log, options.out, options.replace);
+        if (live->file().empty() || !live->wait_for_opening(wanted)) end_before_the_first_scan();
+        opening = wanted.read;
+    }
+    const std::string source = live ? live->file() : source_named(input_named(options.log, "log"));
     const std::string_view suited = suited_preset(options.configuration, source);
     Configuracion configuration = load(options.configuration, suited);
     fmt::print(stderr, "{}", suited_words(suited));
     configuration.source.file = source;
     options.source.choose(configuration.source);
+    if (live) {
+        configuration.source.read.opening_bytes = opening.opening_bytes;
+        configuration.source.read.growth = opening.growth;
+    }
     tell_other_parameters(configuration);
     check_particle(options.grid_of, configuration);
     const std::vector<std::string> also = chosen_outputs(options.write, "--write");
@@ -186,13 +218,14 @@ void run(const RunOptions& options) {
         references.distances = read_distances(input_named(options.distances, "--distances"));
     const std::vector<std::filesystem::path> tour = tour_files(configuration.source);
     check_outputs(options, tour);
-    const StopByRequest request;  // before there is anything to be cleared
     std::unique_ptr<StagedFolder> folder(new StagedFolder(results_folder(options.out)));
     if (!options.replace) refuse_another_run(options.out, configuration);
     check_file(options.figures);  // which may be in that folder
     check_file(options.hashes);
 
-    LogWatch log(tour);
+    std::vector<std::filesystem::path> watched = tour;
+    if (live) std::erase(watched, std::filesystem::path(source));  // it changes all the time
+    LogWatch log(watched);
     std::unique_ptr<TourReader> reader = open_tour(configuration);
     if (references.trajectory)
         fit_of_reference(*reader, *references.trajectory, references.tolerance_s);
@@ -210,31 +243,35 @@ void run(const RunOptions& options) {
         };
     }
     StepHashes hashes;
-    if (!options.hashes.empty())
-        run_options.stepped = [&hashes](const Algoritmo& run) { hashes.note(run); };
+    if (live || !options.hashes.empty()) {
+        run_options.stepped = [&](const Algoritmo& run) {
+            if (live) live->note(run);
+            if (!options.hashes.empty()) hashes.note(run);
+        };
+    }
     RunWorker worker(configuration, std::move(reader), run_options);
+    const EndOfFollowing end{live};  // else the worker would wait for more
     ProgressLine line("scan");
     bool stopped = false;
     worker.run();
     Progress progress = worker.progress();
     while (progress.state == Progress::State::running) {
-        if (!stopped && (StopByRequest::wanted() || log.changed(progress.steps))) {
+        if (live) live->look(worker, line);
+        if (!stopped && ((StopByRequest::wanted() && !live) || log.changed(progress.steps))) {
             worker.pause();
             stopped = true;
         }
         worker.wait_for(std::chrono::milliseconds(20));
         progress = worker.progress();
-        line.show(progress.steps, progress.fraction,
-                  plural(progress.lines + progress.corners, "landmark"));
+        line.show(
+            progress.steps, progress.fraction,
+            plural(progress.lines + progress.corners, "landmark") + (live ? live->behind() : ""));
     }
     if (progress.state == Progress::State::failed) throw Error(progress.error);
     // Of the last scans of all nobody would know.
     const bool finished = progress.state == Progress::State::finished;
     if ((finished || progress.steps == 0) && log.changed(progress.steps)) log.check();
-    if (stopped && progress.steps == 0) {
-        fmt::print(stderr, "stopped before the first scan; nothing is written\n");
-        throw CLI::RuntimeError(StopByRequest::status());
-    }
+    if (stopped && progress.steps == 0) end_before_the_first_scan();
     stopped = !finished;
     const double seconds = line.seconds();
     const std::string landmarks = plural(progress.lines + progress.corners, "landmark");
@@ -255,8 +292,9 @@ void run(const RunOptions& options) {
         return worker
             .with_run([&](const Algoritmo& run) {
                 return write_results(run, references, seconds, *folder, told,
-                                     odometry_grid ? &*odometry_grid : nullptr, also,
-                                     [&] { return log.changed() || StopByRequest::wanted(); });
+                                     odometry_grid ? &*odometry_grid : nullptr, also, [&] {
+                                         return log.changed() || (StopByRequest::wanted() && !live);
+                                     });
             })
             .get();
     };
@@ -275,8 +313,9 @@ void run(const RunOptions& options) {
     Report report(options.json);
     tell_summary(summary, options.out, report);
     if (summary.times) tell_times(*summary.times, summary.scans, report);
+    if (live) live->tell(report);
     if (report.is_json()) {
-        report.object() = {{"folder", options.out}};
+        report.object()["folder"] = options.out;
         if (!suited.empty()) report.object()["suited_preset"] = suited;
         report.object().update(parsed_object(to_json(summary, seconds)));
     }
@@ -298,7 +337,8 @@ void run(const RunOptions& options) {
     beside(options.hashes, [&] { write_file(options.hashes, hashes.csv()); });
     report.end();
     if (log.changed()) throw Error(verbatim(log.words(progress.steps)));
-    if (stopped || (!whole && StopByRequest::wanted()))
+    if (live && live->problem()) throw FileError(*live->problem());
+    if (stopped || (!whole && !live && StopByRequest::wanted()))
         throw CLI::RuntimeError(StopByRequest::status());
     if (options.strict && !whole) throw CLI::RuntimeError(kNotWhole);
 }
@@ -371,6 +411,7 @@ void add_run(CLI::App& program) {
         ->check(&complaint_of_output);
     command->add_flag("--replace", options->replace,
                       "Put this run in the place of another one that the folder holds");
+    add_live_options(*command, options->live);
     add_report_option(*command, options->json);
     command->callback([options] { run(*options); });
 }

@@ -42,15 +42,19 @@ class Archivo final : public Fuente {
     }
     std::vector<TourFinding> findings() const override;
     std::unique_ptr<Fuente> reopen() const override;
+    std::unique_ptr<Fuente> opening() const override;
 
   private:
     struct Cursor;
+    enum class Part : std::uint8_t { whole, opening };
+    Archivo(std::filesystem::path path, const LogFormat& format, ReadOptions options, Part part);
     std::optional<RawLine> read(Cursor& cursor, LineKind wanted);
 
     std::filesystem::path path_;
     const LogFormat& format_;
     ReadOptions options_;  // as far as its format's doubts depend on them
-    bool apart_ = false;   // whether the cursors read two files
+    Part part_ = Part::whole;
+    bool apart_ = false;  // whether the cursors read two files
     std::unique_ptr<Cursor> scans_;
     std::unique_ptr<Cursor> odometry_;
     HeldDamage damage_;

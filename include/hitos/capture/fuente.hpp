@@ -48,6 +48,9 @@ class Fuente {
     virtual std::vector<TourFinding> findings() const { return {}; }
     /// An equal source at its beginning.
     virtual std::unique_ptr<Fuente> reopen() const = 0;
+    /// What is decided before the first scan is decided by this one: of a log that came in live
+    /// (ReadOptions::opening_bytes) its first bytes alone, else an equal source.
+    virtual std::unique_ptr<Fuente> opening() const { return reopen(); }
 };
 
 }  // namespace hitos

@@ -66,6 +66,7 @@ struct LogFormat : RegistryEntry {
     /// Of recordings: what they hold; takes a pass over all of it.
     Topics* topics = nullptr;
     bool folders = false;    ///< of recordings: whether folders are some too
+    bool may_grow = true;    ///< whether it can be read while it is being written
     bool ray_times = false;  ///< whether its writer says when each ray was measured
     /// Whether robots write it; what simulators write may be replayed as the thesis did.
     bool of_robots = false;

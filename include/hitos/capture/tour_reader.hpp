@@ -17,6 +17,8 @@
 
 namespace hitos {
 
+class FileGrowth;
+
 /// What was read, and what was left out of a log and why.
 struct ReadReport {
     /// A line that was left out, and why.
@@ -103,6 +105,12 @@ struct ReadOptions {
     /// "x,y,degrees". Empty: those.
     std::string odometry_axes = {};
     Mend mend = Mend::all;
+    /// Where not 0, the log is read as it came in live: what has to be decided before the first
+    /// scan (topics, the code for "no return", whether there is odometry) by so many of its first
+    /// bytes, and messages of a recording are handed out as they were received.
+    std::uint64_t opening_bytes = 0;
+    /// Of a log that is being written still: whoever reads it waits for more. Null: it is whole.
+    std::shared_ptr<FileGrowth> growth = {};
     friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };
 

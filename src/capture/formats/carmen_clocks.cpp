@@ -134,7 +134,7 @@ std::optional<double> lateness(const CarmenStamps& scans, const CarmenStamps& od
 }  // namespace
 
 CarmenClocks carmen_clocks(const Fuente& fuente) {
-    const std::unique_ptr<Fuente> ahead = fuente.reopen();
+    const std::unique_ptr<Fuente> ahead = fuente.opening();
     CarmenClocks clocks;
     CarmenStamps scans;
     std::uint64_t last_line = 0;

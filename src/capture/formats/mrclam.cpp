@@ -169,6 +169,7 @@ LogFormat mrclam_format() {
                         classify_mrclam,
                         make_conversor_mrclam};
     format.files = mrclam_files;
+    format.may_grow = false;
     format.of_robots = true;
     format.landmarks = true;
     return format;

@@ -64,6 +64,7 @@ LogFormat recording(RegistryEntry entry, const char* endings, LogFormat::Begins*
                         make_recording_conversor, nullptr, begins,          open_with<Open>,
                         topics_with<Open>,        folders};
     format.of_robots = true;
+    format.may_grow = false;
     return format;
 }
 
@@ -78,6 +79,7 @@ LogFormat mcap_format() {
     LogFormat format =
         recording<open_mcap>({"mcap", HITOS_TEXT("ParameterChoice", "MCAP"), "recordings of ROS"},
                              "*.mcap", begins_mcap);
+    format.may_grow = true;
     format.make_writer = make_mcap_writer;
     format.ray_times = true;
     return format;

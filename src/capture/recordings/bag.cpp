@@ -82,7 +82,8 @@ class Header {
 
 class Bag final : public ChunkedRecording {
   public:
-    Bag(const std::filesystem::path& path, RecordingUse use) : ChunkedRecording(path, use) {
+    Bag(const std::filesystem::path& path, RecordingUse use)
+        : ChunkedRecording(path, std::move(use)) {
         std::array<char, kBagMagic.size()> magic{};
         const std::size_t got = records().read(magic);
         const std::string_view found{magic.data(), got};
@@ -205,7 +206,7 @@ bool begins_bag(std::string_view beginning) {
 }
 
 std::unique_ptr<Recording> open_bag(const std::filesystem::path& path, RecordingUse use) {
-    return std::make_unique<Bag>(path, use);
+    return std::make_unique<Bag>(path, std::move(use));
 }
 
 }  // namespace hitos

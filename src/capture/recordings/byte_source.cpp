@@ -51,6 +51,7 @@ std::size_t FileBytes::read(std::span<char> out) {
 }
 
 std::uint64_t FileBytes::skip(std::uint64_t count) {
+    if (count > 0 && extent().growth) extent().growth->wait_beyond(position_ + count - 1);
     const std::uint64_t there = size() > position_ ? size() - position_ : 0;
     count = std::min(count, there);
     if (count <= end_ - begin_) {

@@ -12,6 +12,9 @@
 namespace hitos {
 namespace {
 
+/// A longer record is not waited for.
+constexpr std::uint64_t kLargestGrowing = 2 * kLargestChunk;
+
 /// Passes bytes on and remembers their checksum, so that those passed over are read too.
 class Summed final : public ByteSource {
   public:
@@ -52,13 +55,20 @@ struct ChunkedRecording::Chunk {
 };
 
 ChunkedRecording::ChunkedRecording(const std::filesystem::path& path, RecordingUse use)
-    : use_(use), file_(open_unpacked(path)), records_(file_, file_.size()) {}
+    : use_(std::move(use)),
+      file_(open_unpacked(path, use_.extent)),
+      grows_(file_.extent().grows()),
+      records_(file_, grows_ ? FileExtent{}.limit : file_.size()) {}
 
 ChunkedRecording::~ChunkedRecording() = default;
 
 double ChunkedRecording::progress() const {
     if (file_.size() == 0) return 1.0;
     return std::min(1.0, static_cast<double>(file_.position()) / static_cast<double>(file_.size()));
+}
+
+std::uint64_t ChunkedRecording::position() const {
+    return file_.position() + (chunk_ ? chunk_->packed.left() : 0);
 }
 
 std::optional<RecordedMessage> ChunkedRecording::next() {
@@ -109,6 +119,17 @@ void ChunkedRecording::note_here(const Message& problem) {
 }
 
 Section ChunkedRecording::open_record(Section& from, std::uint64_t length, bool may_be_cut) {
+    // A record that is being written is waited for, so that it is read as from a whole file.
+    if (grows_ && &from == &records_ && length > 0 && length <= kLargestGrowing &&
+        !file_.extent().growth->wait_beyond(file_.position() + length - 1)) {
+        records_.shorten(file_.size() - file_.position());
+        grows_ = false;
+    }
+    if (grows_ && length > kLargestGrowing) {
+        throw FormatError({}, 0,
+                          HITOS_TEXT("Errors", "found a length of %1 bytes, expected at most %2"),
+                          length, kLargestGrowing);
+    }
     if (length > from.left() && may_be_cut) {
         cut_ = true;
         return {from, from.left()};

@@ -15,6 +15,7 @@ class ChunkedRecording : public Recording {
   public:
     std::optional<RecordedMessage> next() final;
     double progress() const final;
+    std::uint64_t position() const final;
 
   protected:
     /// The derived kind reads what its file begins with.
@@ -41,6 +42,8 @@ class ChunkedRecording : public Recording {
     Topics& topics() { return use_.topics; }
     Section& records() { return records_; }
     const FileBytes& file() const { return file_; }
+    /// Whether it is read as long as it is being written.
+    bool grows() const { return grows_; }
 
   private:
     struct Chunk;
@@ -50,6 +53,7 @@ class ChunkedRecording : public Recording {
 
     RecordingUse use_;
     FileBytes file_;
+    bool grows_;
     Section records_;
     std::unique_ptr<Chunk> chunk_;
     std::uint64_t record_begin_ = 0;   ///< of the record, in its chunk or in the file

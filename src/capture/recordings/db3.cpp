@@ -33,7 +33,7 @@ using Statement = std::unique_ptr<sqlite3_stmt, CloseStatement>;
 class Db3 final : public Recording {
   public:
     Db3(const std::filesystem::path& path, RecordingUse use)
-        : path_(path), use_(use), pages_(path) {
+        : path_(path), use_(std::move(use)), pages_(path) {
         open();
         require_table("topics");
         require_table("messages");
@@ -242,7 +242,7 @@ bool begins_db3(std::string_view beginning) {
 }
 
 std::unique_ptr<Recording> open_db3(const std::filesystem::path& path, RecordingUse use) {
-    return std::make_unique<Db3>(path, use);
+    return std::make_unique<Db3>(path, std::move(use));
 }
 
 }  // namespace hitos

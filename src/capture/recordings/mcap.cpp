@@ -16,7 +16,8 @@ constexpr std::string_view kMcapMagicOfAny = kMcapMagic.substr(0, 5);
 
 class Mcap final : public ChunkedRecording {
   public:
-    Mcap(const std::filesystem::path& path, RecordingUse use) : ChunkedRecording(path, use) {
+    Mcap(const std::filesystem::path& path, RecordingUse use)
+        : ChunkedRecording(path, std::move(use)) {
         std::array<char, kMcapMagic.size()> magic{};
         const std::string_view found{magic.data(), records().read(magic)};
         if (found != kMcapMagic && found.starts_with(kMcapMagicOfAny)) {
@@ -30,7 +31,7 @@ class Mcap final : public ChunkedRecording {
             throw FormatError(path.string(), 0,
                               HITOS_TEXT("Errors", "does not begin as MCAP does"));
         }
-        if (file().size() < 2 * kMcapMagic.size()) return;
+        if (grows() || file().size() < 2 * kMcapMagic.size()) return;
         const std::string_view last{magic.data(), file().read_end(magic)};
         closed_ = last == kMcapMagic;
     }
@@ -64,7 +65,10 @@ class Mcap final : public ChunkedRecording {
                 return Step::passed;
             default:
                 // What follows repeats what was told before.
-                if (outside && (op == McapOp::data_end || op == McapOp::footer)) return Step::end;
+                if (outside && (op == McapOp::data_end || op == McapOp::footer)) {
+                    closed_ = closed_ || grows();  // its last bytes are being written
+                    return Step::end;
+                }
                 break;  // indexes, attachments, metadata, and what later versions add
         }
         record.finish();
@@ -141,7 +145,7 @@ bool begins_mcap(std::string_view beginning) {
 }
 
 std::unique_ptr<Recording> open_mcap(const std::filesystem::path& path, RecordingUse use) {
-    return std::make_unique<Mcap>(path, use);
+    return std::make_unique<Mcap>(path, std::move(use));
 }
 
 }  // namespace hitos

@@ -17,6 +17,7 @@
 
 #include "hitos/base/message.hpp"
 #include "hitos/capture/held_damage.hpp"
+#include "regular_file.hpp"
 
 namespace hitos {
 
@@ -89,6 +90,8 @@ class Recording {
     virtual std::optional<RecordedMessage> next() = 0;
     /// How much of it has been passed, 0 … 1.
     virtual double progress() const = 0;
+    /// The byte of the file behind all that the last message needs.
+    virtual std::uint64_t position() const { return 0; }
     /// A problem that has not been told yet. Beyond some they are only counted: the last one stands
     /// for those.
     std::optional<RecordingProblem> take_problem();
@@ -106,6 +109,7 @@ struct RecordingUse {
     /// Whether checksums are compared, where there are some: with and without, what comes behind a
     /// wrong one has other numbers.
     bool check_contents = false;
+    FileExtent extent = {};  ///< of a file that can be read while it is written
 };
 
 std::unique_ptr<Recording> open_bag(const std::filesystem::path& path, RecordingUse use);

@@ -128,7 +128,7 @@ fs::path file_in(const fs::path& folder, const std::string& name) {
 class Rosbag2Folder final : public Recording {
   public:
     Rosbag2Folder(const fs::path& folder, RecordingUse use)
-        : files_(rosbag2_files(folder)), use_(use) {
+        : files_(rosbag2_files(folder)), use_(std::move(use)) {
         open_next();
     }
 
@@ -226,7 +226,7 @@ bool is_rosbag2_folder(const fs::path& folder) {
 }
 
 std::unique_ptr<Recording> open_rosbag2_folder(const fs::path& path, RecordingUse use) {
-    return std::make_unique<Rosbag2Folder>(path, use);
+    return std::make_unique<Rosbag2Folder>(path, std::move(use));
 }
 
 }  // namespace hitos

@@ -165,8 +165,8 @@ std::unique_ptr<ByteSource> make_unpacker(std::string_view compression, ByteSour
         compression);
 }
 
-RegularFile open_unpacked(const std::filesystem::path& path) {
-    RegularFile file(path);
+RegularFile open_unpacked(const std::filesystem::path& path, FileExtent extent) {
+    RegularFile file(path, std::move(extent));
     if (!begins_zstd(file)) return file;
     FileBytes packed(std::move(file));
     Zstd unpacker(packed);

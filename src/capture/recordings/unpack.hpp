@@ -19,7 +19,7 @@ std::unique_ptr<ByteSource> make_unpacker(std::string_view compression, ByteSour
 /// The file, or what it unpacks to where it is zstd, as rosbag2 leaves it (compression mode FILE).
 /// Of data that are damaged or end early what comes before. Throws FileError, also where there is
 /// no room to unpack it.
-RegularFile open_unpacked(const std::filesystem::path& path);
+RegularFile open_unpacked(const std::filesystem::path& path, FileExtent extent = {});
 
 /// The first bytes of that, at most so many. Throws FileError, and FormatError where not even they
 /// can be unpacked.

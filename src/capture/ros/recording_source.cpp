@@ -19,8 +19,8 @@ constexpr std::size_t kReadingsHeld = 512;
 }  // namespace
 
 struct RecordingSource::Cursor {
-    Cursor(const RecordingPlan& plan, Topics::Wanted wanted)
-        : topics(std::move(wanted)), recording(plan.open(plan.path, {topics, true})) {}
+    Cursor(const RecordingPlan& plan, const FileExtent& extent, Topics::Wanted wanted)
+        : topics(std::move(wanted)), recording(plan.open(plan.path, {topics, true, extent})) {}
     Topics topics;
     std::unique_ptr<Recording> recording;
     bool ended = false;
@@ -29,15 +29,27 @@ struct RecordingSource::Cursor {
 std::shared_ptr<const RecordingPlan> plan_recording(const std::filesystem::path& path,
                                                     const LogFormat& format, OpenRecording* open,
                                                     const ReadOptions& options) {
-    const RecordingSurvey survey = survey_recording(path, open);
-    return std::make_shared<const RecordingPlan>(
-        RecordingPlan{path, format, open, choose_topics(survey, options, path), options});
+    const bool live = options.opening_bytes > 0;
+    const RecordingSurvey survey =
+        survey_recording(path, open, live ? FileExtent{options.opening_bytes} : FileExtent{});
+    auto plan = std::make_shared<RecordingPlan>(RecordingPlan{path, format, open,
+                                                              choose_topics(survey, options, path),
+                                                              options, kScansHeld, kReadingsHeld});
+    if (!live) return plan;
+    // A scan in several messages is known to be whole when the next one comes.
+    RecordingSource opening(plan, RecordingSource::Part::opening);
+    while (opening.read_scan_line()) {
+    }
+    plan->scans_held = opening.most_joined() > 1 ? opening.most_joined() : 0;
+    plan->readings_held = 0;
+    return plan;
 }
 
-RecordingSource::RecordingSource(std::shared_ptr<const RecordingPlan> plan)
+RecordingSource::RecordingSource(std::shared_ptr<const RecordingPlan> plan, Part part)
     : plan_(std::move(plan)),
-      held_scans_(kScansHeld, kScanBytesHeld),
-      held_readings_(kReadingsHeld, kScanBytesHeld) {
+      part_(part),
+      held_scans_(plan_->scans_held, kScanBytesHeld),
+      held_readings_(plan_->readings_held, kScanBytesHeld) {
     const TourTopics& topics = plan_->topics;
     for (const auto& [laser, own] : topics.of_laser) frames_.emplace(laser, own.frames);
     const auto is_chosen = [topics](const Topic& topic) {
@@ -52,14 +64,29 @@ RecordingSource::RecordingSource(std::shared_ptr<const RecordingPlan> plan)
         return is_chosen(topic) || is_reading(topic) ||
                (is_laser(topic) && std::ranges::count(topics.scans, topic.name) > 0);
     };
-    scans_ = std::make_unique<Cursor>(*plan_, is_any);
-    odometry_ = std::make_unique<Cursor>(*plan_, is_reading);
+    const ReadOptions& options = plan_->options;
+    const FileExtent extent = part == Part::opening ? FileExtent{options.opening_bytes}
+                                                    : FileExtent{.growth = options.growth};
+    scans_ = std::make_unique<Cursor>(*plan_, extent, is_any);
+    odometry_ = std::make_unique<Cursor>(*plan_, extent, is_reading);
 }
 
 RecordingSource::~RecordingSource() = default;
 
 std::unique_ptr<Fuente> RecordingSource::reopen() const {
-    return std::make_unique<RecordingSource>(plan_);
+    return std::make_unique<RecordingSource>(plan_, part_);
+}
+
+std::unique_ptr<Fuente> RecordingSource::opening() const {
+    if (plan_->options.opening_bytes == 0) return reopen();
+    return std::make_unique<RecordingSource>(plan_, Part::opening);
+}
+
+std::optional<RecordedMessage> RecordingSource::next(Cursor& cursor) {
+    std::optional<RecordedMessage> found = cursor.recording->next();
+    if (found && part_ == Part::whole && plan_->options.growth)
+        plan_->options.growth->note_taken(cursor.recording->position());
+    return found;
 }
 
 std::vector<TourFinding> RecordingSource::findings() const {
@@ -73,6 +100,7 @@ std::vector<TourFinding> RecordingSource::findings() const {
 }
 
 std::optional<double> RecordingSource::progress() const {
+    if (plan_->options.growth && !plan_->options.growth->ended()) return std::nullopt;
     return scans_->recording->progress();
 }
 
@@ -81,19 +109,22 @@ std::optional<RawLine> RecordingSource::read_scan_line() {
         if (std::optional<MountedScan> scan = held_scans_.pop(scans_->ended)) {
             // What belongs to it: the other parts of its turn, and what other lasers saw at that
             // time from that place.
+            std::size_t parts = 1;
             while (const MountedScan* next = held_scans_.earliest()) {
                 std::optional<MountedScan> both =
                     next->device == scan->device ? joined(*scan, *next) : merged(*scan, *next);
                 if (!both) break;
                 held_scans_.pop(true);
                 scan = std::move(both);
+                ++parts;
             }
+            most_joined_ = std::max(most_joined_, parts);
             if (scan->device) parts_.note(*scan, scan->device->name);
             put_line(scan_text_, *scan);
             return RawLine{scan_text_, scan->number};
         }
         if (scans_->ended) return std::nullopt;
-        const std::optional<RecordedMessage> found = scans_->recording->next();
+        const std::optional<RecordedMessage> found = next(*scans_);
         while (std::optional<RecordingProblem> problem = scans_->recording->take_problem()) {
             damage_.note(problem->number, std::move(problem->reason));
         }
@@ -166,7 +197,7 @@ std::optional<RawLine> RecordingSource::read_odometry_line() {
             return RawLine{odometry_text_, reading->number};
         }
         if (odometry_->ended) return std::nullopt;
-        const std::optional<RecordedMessage> found = odometry_->recording->next();
+        const std::optional<RecordedMessage> found = next(*odometry_);
         // The scan cursor meets the same problems and tells them.
         while (odometry_->recording->take_problem()) {
         }

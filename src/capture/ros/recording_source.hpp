@@ -30,6 +30,9 @@ struct RecordingPlan {
     OpenRecording* open;
     TourTopics topics;
     ReadOptions options;
+    // How far messages may be out of order. What came in live is not held back for it.
+    std::size_t scans_held = 0;
+    std::size_t readings_held = 0;
 };
 
 /// Surveys the recording and chooses its topics. Throws what survey_recording() and choose_topics()
@@ -49,7 +52,8 @@ std::shared_ptr<const RecordingPlan> plan_recording(const std::filesystem::path&
 /// * A laser that no transform mentions, in a recording without any, sits in the robot's origin.
 class RecordingSource final : public Fuente {
   public:
-    explicit RecordingSource(std::shared_ptr<const RecordingPlan> plan);
+    enum class Part : std::uint8_t { whole, opening };
+    explicit RecordingSource(std::shared_ptr<const RecordingPlan> plan, Part part = Part::whole);
     ~RecordingSource() override;
     RecordingSource(const RecordingSource&) = delete;
     RecordingSource& operator=(const RecordingSource&) = delete;
@@ -64,6 +68,9 @@ class RecordingSource final : public Fuente {
     }
     std::vector<TourFinding> findings() const override;
     std::unique_ptr<Fuente> reopen() const override;
+    std::unique_ptr<Fuente> opening() const override;
+    /// The most messages that were one scan.
+    std::size_t most_joined() const { return most_joined_; }
 
   private:
     struct Cursor;
@@ -73,11 +80,14 @@ class RecordingSource final : public Fuente {
         Pose pose_odom_robot;
         std::optional<Twist> twist;
     };
+    std::optional<RecordedMessage> next(Cursor& cursor);
     void take_in_scans(const RecordedMessage& found);
     MountedScan scan_of(const RecordedMessage& found) const;
     void take_in_odometry(const RecordedMessage& found);
 
     std::shared_ptr<const RecordingPlan> plan_;
+    Part part_;
+    std::size_t most_joined_ = 0;
     std::unique_ptr<Cursor> scans_;
     std::unique_ptr<Cursor> odometry_;
     std::map<std::string, FrameTree> frames_;  ///< by the laser's topic

@@ -30,13 +30,14 @@ bool is_transforms(const Topic& topic) {
     return is_transforms_type(topic.type) && is_readable(topic);
 }
 
-RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecording* open) {
+RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecording* open,
+                                 const FileExtent& extent) {
     constexpr std::size_t kReceipts = 256;  // of each topic: its clock is told by any of them
     RecordingSurvey survey;
     Topics topics([](const Topic& topic) {
         return is_laser(topic) || is_odometry(topic) || is_transforms(topic);
     });
-    const std::unique_ptr<Recording> recording = open(path, {topics});
+    const std::unique_ptr<Recording> recording = open(path, {topics, false, extent});
     const auto next = [&] {
         std::optional<RecordedMessage> found = recording->next();
         while (std::optional<RecordingProblem> problem = recording->take_problem()) {

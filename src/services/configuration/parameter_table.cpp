@@ -190,6 +190,14 @@ Table source_entries() {
                         "0@0,-1.39@680, evenly in between; two points of one second are a leap; "
                         "empty adds nothing.")},
             {of_log()}),
+        integer<&Config::source, &SourceParams::read, &ReadOptions::opening_bytes>(
+            {"source.opening", "B", 0, 0x1p63, HITOS_TEXT("ParameterLabel", "Opening"),
+             HITOS_TEXT("Parameter",
+                        "Of a log that came in live: by how many of its first bytes was decided "
+                        "what has to be before the first scan, and its messages are taken as they "
+                        "were received; so it gives what the live run gave. 0: by all of it, in "
+                        "the order of its stamps.")},
+            {of_log()}),
     };
 }
 

@@ -162,7 +162,7 @@ TEST(ParameterTable, WhatTheChoicesDoNotReadHasNoEffect) {
         with(idle,
              {"source.scan_topic", "source.odom_topic", "source.laser_pose", "source.same_frames",
               "source.ray_time", "source.range_scale", "source.range_offset", "source.fan_scale",
-              "source.odometry_axes", "source.scan_clock"},
+              "source.odometry_axes", "source.scan_clock", "source.opening"},
              {"source.tour_seed", "source.world_set"}));
     EXPECT_EQ(idle_with({"features.detect=corners"}), idle);
     EXPECT_EQ(idle_with({"association.method=gnn"}),
@@ -248,6 +248,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
     c.source.read.leave_out_early_scans = true;
     c.source.read.scan_delay_s = -0.25;
     c.source.read.scan_clock = "0@0,-1@9";
+    c.source.read.opening_bytes = 4711;
     c.source.read.laser_pose = "0.1,0.2,30";
     c.source.read.same_frames = "a=b";
     c.source.read.min_range_m = 0.27;
@@ -309,6 +310,7 @@ TEST(ParameterTable, KeysReachTheFieldsThatTheirNamesSay) {
         {"source.early_scans", "leave_out"},
         {"source.scan_delay", "-0.25"},
         {"source.scan_clock", "0@0,-1@9"},
+        {"source.opening", "4711"},
         {"source.laser_pose", "0.1,0.2,30"},
         {"source.same_frames", "a=b"},
         {"source.min_range", "0.27"},

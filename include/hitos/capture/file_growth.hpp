@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A log that is read while it is being written.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "hitos/base/error.hpp"
+
+namespace hitos {
+
+/// Watches a file that grows, and knows when which of its bytes came. Any number of readers may
+/// wait for more at the same time.
+class FileGrowth {
+  public:
+    using Clock = std::chrono::steady_clock;
+
+    /// Watches from now on. Throws FileError where the path is missing, no regular file, or cannot
+    /// be opened.
+    explicit FileGrowth(const std::filesystem::path& file);
+    ~FileGrowth();
+    FileGrowth(const FileGrowth&) = delete;
+    FileGrowth& operator=(const FileGrowth&) = delete;
+
+    /// Waits until the file has more than so many bytes; false where it is over and has not.
+    bool wait_beyond(std::uint64_t bytes) const;
+    /// No more is waited for: the file is what it has now.
+    void end();
+    bool ended() const;
+    /// How many bytes it has; once it is over, those with which it ended, whatever comes later.
+    std::uint64_t size() const;
+    /// Why it was over before its time: it became shorter while it was read. Nothing where it was
+    /// not.
+    std::optional<FileError> problem() const;
+
+    /// A reader has handed out what ends with that byte.
+    void note_taken(std::uint64_t bytes);
+    /// When the last byte came that a reader has handed out; nothing before the first, and of what
+    /// was in the file already.
+    std::optional<Clock::time_point> taken_came() const;
+    /// How many bytes wait for a reader.
+    std::uint64_t waiting() const;
+
+  private:
+    struct Arrival {
+        std::uint64_t bytes = 0;  ///< that the file had then
+        Clock::time_point at;
+    };
+    void watch(const std::stop_token& stop);
+    void look();  // with the mutex held
+
+    std::filesystem::path path_;
+    int descriptor_ = -1;
+    int events_ = -1;  // of the system, which tells of changes; -1 where it does not
+    std::uint64_t before_ = 0;
+    mutable std::mutex mutex_;
+    mutable std::condition_variable more_;
+    std::uint64_t size_ = 0;
+    std::uint64_t taken_ = 0;
+    bool ended_ = false;
+    std::optional<FileError> problem_;
+    std::deque<Arrival> arrivals_;  // of what is not taken yet, and the one before
+    std::jthread watch_;            // last: it uses everything above
+};
+
+}  // namespace hitos

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A tour that comes in while it is mapped.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string_view>
+#include <thread>
+
+#include "hitos/base/error.hpp"
+#include "hitos/capture/file_growth.hpp"
+#include "hitos/capture/tour_reader.hpp"
+
+namespace hitos {
+
+/// Whatever a tour comes by, it is a file first, so that nothing is lost and the same file gives
+/// the same map again: one that another program writes, or one that what comes in is put into. Any
+/// reader that is told its growth() reads on as long as it comes.
+class LiveSource {
+  public:
+    /// Whether one that is being waited for is to go on.
+    using GoesOn = std::function<bool()>;
+
+    /// Follows a file that another program writes. Throws FileError where it cannot.
+    explicit LiveSource(const std::filesystem::path& file);
+    /// Keeps all that comes through the descriptor, which is not closed, in a new file: `name` with
+    /// the ending .mcap where that is what comes, else .log. It is over where the other end closes.
+    /// Waits for the first byte. Null where that never comes. Throws FileError where the file is
+    /// there already or cannot be written.
+    static std::unique_ptr<LiveSource> of_pipe(int descriptor, const std::filesystem::path& name,
+                                               const GoesOn& goes_on);
+    ~LiveSource();
+    LiveSource(const LiveSource&) = delete;
+    LiveSource& operator=(const LiveSource&) = delete;
+
+    const std::filesystem::path& file() const { return file_; }
+    const std::shared_ptr<FileGrowth>& growth() const { return growth_; }
+
+    /// What has come when the first scan is about to be taken.
+    struct Opening {
+        std::uint64_t bytes = 0;
+        std::size_t scans = 0;
+        std::size_t readings = 0;
+    };
+    /// Waits for so many scans, by which is decided what has to be before the first one, or for the
+    /// end of what comes. `told` hears how far that is, at least ten times a second; where it says
+    /// false, nothing is given. Throws what open_log() throws of what will not get better by
+    /// waiting, or is over.
+    std::optional<Opening> wait_for_opening(std::string_view format, const ReadOptions& options,
+                                            std::size_t scans,
+                                            const std::function<bool(const Opening&)>& told);
+
+    /// No more is waited for: the tour is what has come by now.
+    void end();
+    /// Why it was over before its time, or why something is missing; nothing where all is well.
+    std::optional<FileError> problem() const;
+
+  private:
+    /// Puts what comes into the file until it is over or no more is wanted; throws FileError.
+    using Receive = std::function<void(const std::stop_token& stop)>;
+    LiveSource(const std::filesystem::path& file, Receive receive);
+    Opening opening_now(std::string_view format, ReadOptions options, std::size_t scans) const;
+
+    std::filesystem::path file_;
+    std::shared_ptr<FileGrowth> growth_;
+    mutable std::mutex mutex_;
+    std::optional<FileError> problem_;
+    std::jthread receiver_;  // last: it uses everything above
+};
+
+}  // namespace hitos

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hitos/capture/file_growth.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/inotify.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "hitos/base/translatable.hpp"
+#include "regular_file.hpp"
+
+namespace hitos {
+namespace {
+
+/// Where the system tells of no change (a network's folder), and for whoever ends the watch.
+constexpr int kLookMilliseconds = 20;
+/// More are thinned out: they then tell the time of every other piece.
+constexpr std::size_t kMostArrivals = std::size_t{1} << 16;
+
+}  // namespace
+
+FileGrowth::FileGrowth(const std::filesystem::path& file) : path_(file) {
+    before_ = size_ = RegularFile(file).size();
+    descriptor_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor_ < 0) {
+        throw FileError(file.string(), HITOS_TEXT("Errors", "cannot be opened for reading: %1"),
+                        system_message(errno));
+    }
+    events_ = ::inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
+    if (events_ >= 0 && ::inotify_add_watch(events_, file.c_str(), IN_MODIFY) < 0) {
+        ::close(events_);
+        events_ = -1;
+    }
+    watch_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
+}
+
+FileGrowth::~FileGrowth() {
+    end();
+    watch_.request_stop();
+    watch_.join();
+    if (events_ >= 0) ::close(events_);
+    ::close(descriptor_);
+}
+
+void FileGrowth::watch(const std::stop_token& stop) {
+    std::array<char, 4096> told{};
+    while (!stop.stop_requested()) {
+        pollfd event{events_, POLLIN, 0};
+        ::poll(&event, 1, kLookMilliseconds);  // without a descriptor it waits alone
+        while (events_ >= 0 && ::read(events_, told.data(), told.size()) > 0) {
+        }
+        const std::scoped_lock lock(mutex_);
+        look();
+    }
+}
+
+void FileGrowth::look() {
+    struct stat status {};
+    if (ended_ || ::fstat(descriptor_, &status) != 0) return;
+    const auto size = static_cast<std::uint64_t>(status.st_size);
+    if (size == size_) return;
+    if (size < size_) {
+        problem_ = FileError(path_.string(),
+                             HITOS_TEXT("Errors",
+                                        "has become shorter while it was followed, from %1 to %2 "
+                                        "bytes; what it had before that is what counts"),
+                             size_, size);
+        ended_ = true;
+        size_ = size;
+        more_.notify_all();
+        return;
+    }
+    size_ = size;
+    if (arrivals_.size() == kMostArrivals) {
+        std::size_t kept = 0;
+        for (std::size_t i = 1; i < arrivals_.size(); i += 2) arrivals_[kept++] = arrivals_[i];
+        arrivals_.resize(kept);
+    }
+    arrivals_.push_back({size, Clock::now()});
+    more_.notify_all();
+}
+
+bool FileGrowth::wait_beyond(std::uint64_t bytes) const {
+    std::unique_lock lock(mutex_);
+    more_.wait(lock, [&] { return size_ > bytes || ended_; });
+    return size_ > bytes;
+}
+
+void FileGrowth::end() {
+    const std::scoped_lock lock(mutex_);
+    look();
+    ended_ = true;
+    more_.notify_all();
+}
+
+bool FileGrowth::ended() const {
+    const std::scoped_lock lock(mutex_);
+    return ended_;
+}
+
+std::uint64_t FileGrowth::size() const {
+    const std::scoped_lock lock(mutex_);
+    return size_;
+}
+
+std::optional<FileError> FileGrowth::problem() const {
+    const std::scoped_lock lock(mutex_);
+    return problem_;
+}
+
+void FileGrowth::note_taken(std::uint64_t bytes) {
+    const std::scoped_lock lock(mutex_);
+    taken_ = std::max(taken_, bytes);
+    while (!arrivals_.empty() && arrivals_.front().bytes < taken_) arrivals_.pop_front();
+}
+
+std::optional<FileGrowth::Clock::time_point> FileGrowth::taken_came() const {
+    const std::scoped_lock lock(mutex_);
+    if (taken_ <= before_ || arrivals_.empty()) return std::nullopt;
+    return arrivals_.front().at;
+}
+
+std::uint64_t FileGrowth::waiting() const {
+    const std::scoped_lock lock(mutex_);
+    return size_ - std::min(size_, taken_);
+}
+
+}  // namespace hitos

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hitos/capture/live_source.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "byte_stream.hpp"
+#include "hitos/base/translatable.hpp"
+#include "hitos/capture/archivo.hpp"
+#include "hitos/capture/procesador.hpp"
+#include "recordings/mcap_ops.hpp"
+#include "recordings/recording.hpp"
+#include "regular_file.hpp"
+
+namespace hitos {
+namespace {
+
+constexpr int kWaitMilliseconds = 20;
+
+/// Closes what it holds.
+class Descriptor {
+  public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() {
+        if (number_ >= 0) ::close(number_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int number() const { return number_; }
+
+  private:
+    int number_;
+};
+
+/// What has come; nothing where nothing has yet, 0 bytes at the end. Throws FileError.
+std::optional<std::size_t> read_if_any(int descriptor, std::span<char> out) {
+    pollfd event{descriptor, POLLIN, 0};
+    if (::poll(&event, 1, kWaitMilliseconds) <= 0) return std::nullopt;
+    const ssize_t got = ::read(descriptor, out.data(), out.size());
+    if (got >= 0) return static_cast<std::size_t>(got);
+    if (errno == EINTR || errno == EAGAIN) return std::nullopt;
+    throw FileError("/dev/stdin", HITOS_TEXT("Errors", "cannot be read: %1"),
+                    system_message(errno));
+}
+
+void append(int target, const std::filesystem::path& file, std::span<const char> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t put = ::write(target, bytes.data(), bytes.size());
+        if (put < 0 && errno == EINTR) continue;
+        if (put < 0) {
+            throw FileError(file.string(),
+                            HITOS_TEXT("Errors",
+                                       "cannot keep what comes in: %1; the tour ends with what it "
+                                       "has"),
+                            system_message(errno));
+        }
+        bytes = bytes.subspan(static_cast<std::size_t>(put));
+    }
+}
+
+/// The bytes up to the end of the last whole line.
+std::uint64_t whole_lines(const std::filesystem::path& path, std::uint64_t size) {
+    const RegularFile file(path);
+    std::array<char, 4096> block{};
+    while (size > 0) {
+        const std::uint64_t begin = size - std::min<std::uint64_t>(size, block.size());
+        const std::size_t got = file.read_at(begin, std::span(block).first(size - begin));
+        const std::string_view text(block.data(), got);
+        if (const std::size_t at = text.rfind('\n'); at != std::string_view::npos)
+            return begin + at + 1;
+        size = begin;
+    }
+    return 0;
+}
+
+}  // namespace
+
+LiveSource::LiveSource(const std::filesystem::path& file)
+    : file_(file), growth_(std::make_shared<FileGrowth>(file)) {}
+
+LiveSource::LiveSource(const std::filesystem::path& file, Receive receive) : LiveSource(file) {
+    receiver_ = std::jthread([this, receive = std::move(receive)](const std::stop_token& stop) {
+        try {
+            receive(stop);
+        } catch (const FileError& error) {
+            const std::scoped_lock lock(mutex_);
+            problem_ = error;
+        }
+        growth_->end();
+    });
+}
+
+LiveSource::~LiveSource() {
+    end();
+}
+
+std::unique_ptr<LiveSource> LiveSource::of_pipe(int descriptor, const std::filesystem::path& name,
+                                                const GoesOn& goes_on) {
+    std::string first;
+    while (first.size() < kMcapMagic.size()) {
+        std::array<char, kInputBytes> block{};
+        const auto got = read_if_any(descriptor, block);
+        if (got == std::size_t{0}) break;
+        if (got) first.append(block.data(), *got);
+        if (!goes_on()) return nullptr;
+    }
+    std::filesystem::path file = name;
+    file += begins_mcap(first) ? ".mcap" : ".log";
+    auto target = std::make_shared<const Descriptor>(
+        ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC,
+               S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH));
+    if (target->number() < 0) {
+        throw FileError(file.string(),
+                        HITOS_TEXT("Errors", "cannot be made to keep what comes in: %1"),
+                        system_message(errno));
+    }
+    const auto receive = [=](const std::stop_token& stop) {
+        append(target->number(), file, first);
+        std::array<char, kInputBytes> block{};
+        while (!stop.stop_requested()) {
+            const auto got = read_if_any(descriptor, block);
+            if (got == std::size_t{0}) return;
+            if (got) append(target->number(), file, std::span(block).first(*got));
+        }
+    };
+    return std::unique_ptr<LiveSource>(new LiveSource(file, receive));
+}
+
+void LiveSource::end() {
+    if (receiver_.joinable()) {
+        receiver_.request_stop();
+        receiver_.join();
+    }
+    growth_->end();
+}
+
+std::optional<FileError> LiveSource::problem() const {
+    const std::scoped_lock lock(mutex_);
+    return problem_ ? problem_ : growth_->problem();
+}
+
+LiveSource::Opening LiveSource::opening_now(std::string_view format, ReadOptions options,
+                                            std::size_t scans) const {
+    Opening now;
+    now.bytes = growth_->size();
+    if (recording_format(file_) == nullptr && !growth_->ended())
+        now.bytes = whole_lines(file_, now.bytes);
+    options.opening_bytes = std::max<std::uint64_t>(now.bytes, 1);
+    options.growth = nullptr;
+    Procesador tour(open_log(file_, format, options)->opening(), options);
+    while (now.scans < scans && tour.next_scan()) ++now.scans;
+    while (now.readings < scans && tour.next_odometry()) ++now.readings;
+    return now;
+}
+
+std::optional<LiveSource::Opening> LiveSource::wait_for_opening(
+    std::string_view format, const ReadOptions& options, std::size_t scans,
+    const std::function<bool(const Opening&)>& told) {
+    constexpr std::chrono::milliseconds kLook(50);
+    Opening opening;
+    std::optional<std::uint64_t> looked_at;
+    for (;;) {
+        const bool over = growth_->ended();
+        if (over || looked_at != growth_->size()) {
+            looked_at = growth_->size();
+            try {
+                opening = opening_now(format, options, scans);
+            } catch (const FormatError&) {
+                if (over) throw;  // else more may make sense of it
+            }
+            if (over || opening.scans >= scans) return opening;
+        }
+        if (!told(opening)) return std::nullopt;
+        std::this_thread::sleep_for(kLook);
+    }
+}
+
+}  // namespace hitos

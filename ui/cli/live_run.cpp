@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "live_run.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "damage.hpp"
+#include "hitos/base/error.hpp"
+#include "hitos/base/plural.hpp"
+#include "hitos/base/process.hpp"
+#include "hitos/slam/slam_filter.hpp"
+#include "options.hpp"
+
+namespace hitos::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_standard_input(std::string_view log) {
+    return log == "-" || log == "/dev/stdin";
+}
+
+/// "results.received": what comes in is kept beside the folder, so that it is there whatever
+/// becomes of the run.
+fs::path name_beside(const std::string& out) {
+    fs::path folder = fs::path(out).lexically_normal();
+    if (!folder.has_filename()) folder = folder.parent_path();
+    return folder += ".received";
+}
+
+/// The value that a share of them do not exceed.
+double quantile_of(std::vector<float> values, double share) {
+    if (values.empty()) return 0.0;
+    const auto at =
+        static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(values.size())) - 1.0);
+    std::ranges::nth_element(values, values.begin() + at);
+    return static_cast<double>(values[static_cast<std::size_t>(at)]);
+}
+
+}  // namespace
+
+void add_live_options(CLI::App& command, LiveOptions& options) {
+    CLI::Option* follow = command.add_flag(
+        "--follow", options.follow,
+        "Take the tour as it comes: the log is being written by another program, or - for what "
+        "comes through a pipe; Ctrl-C, or the other end, ends the tour. Text and MCAP");
+    command
+        .add_option("--received", options.received,
+                    "With --follow -, where to keep what comes in, without an ending (default: the "
+                    "results' folder with .received behind it); the same map can be made of it "
+                    "again")
+        ->needs(follow)
+        ->check(&complaint_of_output);
+    command
+        .add_option("--opening", options.opening,
+                    "With --follow, how many scans to look at before the first one is taken: what "
+                    "says \"no return\", which topics, whether there is odometry (default: 20)")
+        ->needs(follow)
+        ->check(CLI::Range(1, 100000));
+    command
+        .add_option("--poses", options.poses,
+                    "With --follow, write the pose after every scan at once into this CSV file, or "
+                    "named pipe, with its covariance and how long it took since the scan came")
+        ->needs(follow)
+        ->check(&complaint_of_output);
+}
+
+LiveRun::LiveRun(const LiveOptions& options, const std::string& log, const std::string& out,
+                 bool replace)
+    : options_(options) {
+    if (is_world_file(log)) {
+        throw ConfigError("--follow", verbatim("found the world " + on_one_line(log) +
+                                               "; a world is simulated, not followed"));
+    }
+    const auto goes_on = [] { return !StopByRequest::wanted(); };
+    if (is_standard_input(log)) {
+        const fs::path name =
+            options.received.empty() ? name_beside(out) : fs::path(options.received);
+        for (const char* ending : {".log", ".mcap"}) {
+            const fs::path former = fs::path(name) += ending;
+            std::error_code ignored;
+            if (!fs::exists(former, ignored)) continue;
+            if (!replace) {
+                throw FileError(former, verbatim("is what another run received; say --replace to "
+                                                 "receive in its place, or another name with "
+                                                 "--received"));
+            }
+            fs::remove(former, ignored);
+        }
+        source_ = LiveSource::of_pipe(STDIN_FILENO, name, goes_on);
+        if (source_) fmt::print(stderr, "received: {}\n", on_one_line(file()));
+    } else {
+        source_ = std::make_unique<LiveSource>(fs::path(log));
+    }
+    if (options.poses.empty()) return;
+    poses_ = std::fopen(options.poses.c_str(), "we");
+    if (poses_ == nullptr) {
+        throw FileError(options.poses,
+                        verbatim("cannot be written: " + std::generic_category().message(errno)));
+    }
+    fmt::print(poses_, "time_s,x_m,y_m,theta_rad,xx,xy,xtheta,yy,ytheta,thetatheta,latency_s\n");
+}
+
+LiveRun::~LiveRun() {
+    end();
+    if (poses_ != nullptr) std::fclose(poses_);
+}
+
+bool LiveRun::wait_for_opening(SourceParams& source) {
+    ProgressLine line("scan");
+    const auto opening = source_->wait_for_opening(
+        source.format, source.read, options_.opening, [&](const LiveSource::Opening& now) {
+            line.show(now.scans, std::nullopt, fmt::format("of {} awaited", options_.opening));
+            return !StopByRequest::wanted();
+        });
+    if (!opening) return false;
+    source.file = file();
+    source.read.opening_bytes = std::max<std::uint64_t>(opening->bytes, 1);
+    source.read.growth = source_->growth();
+    return true;
+}
+
+void LiveRun::note(const Algoritmo& run) {
+    if (run.steps() == steps_) return;  // its end
+    steps_ = run.steps();
+    std::optional<double> latency_s;
+    if (const auto came = source_->growth()->taken_came()) {
+        latency_s = std::chrono::duration<double>(FileGrowth::Clock::now() - *came).count();
+        const std::scoped_lock lock(mutex_);
+        latencies_s_.push_back(static_cast<float>(*latency_s));
+    }
+    if (poses_ != nullptr) put_pose(run, latency_s);
+}
+
+void LiveRun::put_pose(const Algoritmo& run, std::optional<double> latency_s) {
+    const StampedPose& now = run.online_trajectory().back();
+    const Eigen::Matrix3d c = run.filter().pose_covariance();
+    fmt::print(poses_, "{:.6f},{:.6f},{:.6f},{:.8f},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},",
+               now.time_s, now.pose.x, now.pose.y, now.pose.theta, c(0, 0), c(0, 1), c(0, 2),
+               c(1, 1), c(1, 2), c(2, 2));
+    fmt::print(poses_, "{}\n", latency_s ? fmt::format("{:.6f}", *latency_s) : "");
+    poses_lost_ = std::fflush(poses_) != 0 || poses_lost_;
+}
+
+void LiveRun::look(RunWorker& worker, ProgressLine& line) {
+    if (StopByRequest::wanted() && !std::exchange(asked_, true)) {
+        line.say("the tour ends here; once more to stop at once");
+        source_->end();
+    }
+    const std::uint64_t steps = worker.progress().steps;
+    constexpr std::uint64_t kFirst = 100;
+    if (!doubting_.valid() && steps >= std::max(kFirst, 2 * doubted_at_)) {
+        doubted_at_ = steps;
+        // It is answered between two scans, for which the program does not wait.
+        doubting_ = worker.with_run([](const Algoritmo& run) -> Evidence {
+            if (run.examination() == nullptr) return {};
+            return {*run.examination(), run.reader().findings()};
+        });
+    }
+    using namespace std::chrono_literals;
+    if (doubting_.valid() && doubting_.wait_for(0s) == std::future_status::ready)
+        tell_doubts(doubting_.get(), line);
+}
+
+void LiveRun::tell_doubts(Evidence evidence, ProgressLine& line) {
+    auto& [examination, findings] = evidence;
+    if (!examination) return;
+    for (const TourFinding& finding : examination->findings(std::move(findings))) {
+        if (std::ranges::count(told_, finding.kind) > 0) continue;
+        line.say(words_of(finding));
+        told_.push_back(finding.kind);
+    }
+}
+
+std::string LiveRun::behind() const {
+    constexpr double kWorthSaying = 1.0;  // [s]
+    const auto came = source_->growth()->taken_came();
+    if (!came || source_->growth()->waiting() == 0) return {};
+    const double seconds = std::chrono::duration<double>(FileGrowth::Clock::now() - *came).count();
+    return seconds < kWorthSaying ? "" : fmt::format("  {:.0f} s behind", seconds);
+}
+
+void LiveRun::tell(Report& report) const {
+    const std::scoped_lock lock(mutex_);
+    report.object()["received"] = file();
+    if (poses_lost_) report.warn("not all poses could be written");
+    if (latencies_s_.empty()) return;
+    const double median_s = quantile_of(latencies_s_, 0.5);
+    const double most_s = quantile_of(latencies_s_, 0.99);
+    const double worst_s = quantile_of(latencies_s_, 1.0);
+    report.say(
+        "from a scan's last byte to its pose: {:.1f} ms, 99 of 100 within {:.1f} ms, the "
+        "worst {:.1f} ms ({})\n",
+        1e3 * median_s, 1e3 * most_s, 1e3 * worst_s, plural(latencies_s_.size(), "scan"));
+    report.object()["latency"] = {{"scans", latencies_s_.size()},
+                                  {"median_s", median_s},
+                                  {"p99_s", most_s},
+                                  {"worst_s", worst_s}};
+}
+
+}  // namespace hitos::cli

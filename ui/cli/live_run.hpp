@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a run whose tour comes in while it is mapped has more than others: run --follow.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hitos/capture/live_source.hpp"
+#include "hitos/capture/tour_examination.hpp"
+#include "hitos/capture/tour_finding.hpp"
+#include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/services/run/run_worker.hpp"
+#include "progress_line.hpp"
+#include "report.hpp"
+
+namespace hitos::cli {
+
+struct LiveOptions {
+    bool follow = false;
+    std::string received;  ///< what comes through a pipe is kept in; empty: beside the results
+    std::size_t opening = 20;
+    std::string poses;
+};
+
+void add_live_options(CLI::App& command, LiveOptions& options);
+
+/// One run that follows. The worker's thread notes scans, the program's asks.
+class LiveRun {
+  public:
+    /// Begins to follow `log`, or to keep what comes by standard input where it is "-"; nothing
+    /// (file() is empty) where the program was asked to end before anything came. Throws FileError.
+    LiveRun(const LiveOptions& options, const std::string& log, const std::string& out,
+            bool replace);
+    ~LiveRun();
+    LiveRun(const LiveRun&) = delete;
+    LiveRun& operator=(const LiveRun&) = delete;
+
+    std::string file() const { return source_ ? source_->file().string() : std::string(); }
+    /// Waits until the first scan may be taken, and says in the source how it is read. False where
+    /// the program was asked to end before. Throws what open_log() throws.
+    bool wait_for_opening(SourceParams& source);
+
+    /// Of every step, by the worker's thread.
+    void note(const Algoritmo& run);
+    /// By the program's thread, over and over: ends what comes where the program was asked to, and
+    /// says what is to doubt as soon as it shows.
+    void look(RunWorker& worker, ProgressLine& line);
+    /// How far the run is behind what comes; empty where it is not.
+    std::string behind() const;
+    void tell(Report& report) const;
+    /// Why the tour ended before its time; nothing where it did not.
+    std::optional<FileError> problem() const { return source_->problem(); }
+    void end() {
+        if (source_) source_->end();
+    }
+
+  private:
+    void put_pose(const Algoritmo& run, std::optional<double> latency_s);
+    /// What there is to doubt is found out by: both as they were at that moment.
+    using Evidence = std::pair<std::optional<TourExamination>, std::vector<TourFinding>>;
+    void tell_doubts(Evidence evidence, ProgressLine& line);
+
+    LiveOptions options_;
+    std::unique_ptr<LiveSource> source_;
+    std::FILE* poses_ = nullptr;
+    mutable std::mutex mutex_;
+    std::vector<float> latencies_s_;  ///< of scans that came while it ran
+    std::uint64_t steps_ = 0;
+    bool asked_ = false;            ///< to end
+    std::uint64_t doubted_at_ = 0;  ///< steps
+    std::future<Evidence> doubting_;
+    std::vector<TourFinding::Kind> told_;
+    bool poses_lost_ = false;
+};
+
+}  // namespace hitos::cli
