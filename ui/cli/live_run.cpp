@@ -49,15 +49,23 @@ double quantile_of(std::vector<float> values, double share) {
 void add_live_options(CLI::App& command, LiveOptions& options) {
     CLI::Option* follow = command.add_flag(
         "--follow", options.follow,
-        "Take the tour as it comes: the log is being written by another program, or - for what "
-        "comes through a pipe; Ctrl-C, or the other end, ends the tour. Text and MCAP");
+        "Take the tour as it comes: the log is being written by another program (text or MCAP), or "
+        "is - for what comes through a pipe, or ws://HOST:PORT for what foxglove_bridge tells of a "
+        "running robot; Ctrl-C, or the other end, ends the tour");
     command
-        .add_option("--received", options.received,
-                    "With --follow -, where to keep what comes in, without an ending (default: the "
-                    "results' folder with .received behind it); the same map can be made of it "
-                    "again")
+        .add_option(
+            "--received", options.received,
+            "With --follow, where to keep what comes through a pipe or from a robot, without "
+            "an ending (default: the results' folder with .received behind it); the same "
+            "map can be made of it again")
         ->needs(follow)
         ->check(&complaint_of_output);
+    command
+        .add_option("--patience", options.patience_s,
+                    "With --follow, how long to look for a lost connection again before the tour "
+                    "ends [s] (default: 60)")
+        ->needs(follow)
+        ->check(CLI::Range(0.0, 1e6));
     command
         .add_option("--opening", options.opening,
                     "With --follow, how many scans to look at before the first one is taken: what "
@@ -80,7 +88,8 @@ LiveRun::LiveRun(const LiveOptions& options, const std::string& log, const std::
                                                "; a world is simulated, not followed"));
     }
     const auto goes_on = [] { return !StopByRequest::wanted(); };
-    if (is_standard_input(log)) {
+    const bool server = is_websocket_address(log);
+    if (server || is_standard_input(log)) {
         const fs::path name =
             options.received.empty() ? name_beside(out) : fs::path(options.received);
         for (const char* ending : {".log", ".mcap"}) {
@@ -94,7 +103,9 @@ LiveRun::LiveRun(const LiveOptions& options, const std::string& log, const std::
             }
             fs::remove(former, ignored);
         }
-        source_ = LiveSource::of_pipe(STDIN_FILENO, name, goes_on);
+        source_ = server ? LiveSource::of_server(
+                               log, name, std::chrono::seconds(std::llround(options.patience_s)))
+                         : LiveSource::of_pipe(STDIN_FILENO, name, goes_on);
         if (source_) fmt::print(stderr, "received: {}\n", on_one_line(file()));
     } else {
         source_ = std::make_unique<LiveSource>(fs::path(log));
@@ -117,6 +128,7 @@ bool LiveRun::wait_for_opening(SourceParams& source) {
     ProgressLine line("scan");
     const auto opening = source_->wait_for_opening(
         source.format, source.read, options_.opening, [&](const LiveSource::Opening& now) {
+            tell_news(line);
             line.show(now.scans, std::nullopt, fmt::format("of {} awaited", options_.opening));
             return !StopByRequest::wanted();
         });
@@ -149,7 +161,12 @@ void LiveRun::put_pose(const Algoritmo& run, std::optional<double> latency_s) {
     poses_lost_ = std::fflush(poses_) != 0 || poses_lost_;
 }
 
+void LiveRun::tell_news(ProgressLine& line) {
+    for (const Message& news : source_->take_news()) line.say(news.english());
+}
+
 void LiveRun::look(RunWorker& worker, ProgressLine& line) {
+    tell_news(line);
     if (StopByRequest::wanted() && !std::exchange(asked_, true)) {
         line.say("the tour ends here; once more to stop at once");
         source_->end();

@@ -26,7 +26,8 @@ namespace hitos::cli {
 
 struct LiveOptions {
     bool follow = false;
-    std::string received;  ///< what comes through a pipe is kept in; empty: beside the results
+    std::string received;      ///< what comes in is kept in; empty: beside the results
+    double patience_s = 60.0;  ///< for a connection that is lost
     std::size_t opening = 20;
     std::string poses;
 };
@@ -36,7 +37,8 @@ void add_live_options(CLI::App& command, LiveOptions& options);
 /// One run that follows. The worker's thread notes scans, the program's asks.
 class LiveRun {
   public:
-    /// Begins to follow `log`, or to keep what comes by standard input where it is "-"; nothing
+    /// Begins to follow `log`, or to keep what a server tells where it is the address of one, or
+    /// what comes by standard input where it is "-"; nothing
     /// (file() is empty) where the program was asked to end before anything came. Throws FileError.
     LiveRun(const LiveOptions& options, const std::string& log, const std::string& out,
             bool replace);
@@ -67,6 +69,7 @@ class LiveRun {
     void put_pose(const Algoritmo& run, std::optional<double> latency_s);
     /// What there is to doubt is found out by: both as they were at that moment.
     using Evidence = std::pair<std::optional<TourExamination>, std::vector<TourFinding>>;
+    void tell_news(ProgressLine& line);
     void tell_doubts(Evidence evidence, ProgressLine& line);
 
     LiveOptions options_;

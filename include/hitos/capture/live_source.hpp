@@ -2,6 +2,7 @@
 // A tour that comes in while it is mapped.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -9,14 +10,20 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <thread>
+#include <vector>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/message.hpp"
 #include "hitos/capture/file_growth.hpp"
 #include "hitos/capture/tour_reader.hpp"
 
 namespace hitos {
+
+/// Whether it is the address of a server ("ws://…"), not the name of a file.
+bool is_websocket_address(std::string_view source);
 
 /// Whatever a tour comes by, it is a file first, so that nothing is lost and the same file gives
 /// the same map again: one that another program writes, or one that what comes in is put into. Any
@@ -34,6 +41,14 @@ class LiveSource {
     /// there already or cannot be written.
     static std::unique_ptr<LiveSource> of_pipe(int descriptor, const std::filesystem::path& name,
                                                const GoesOn& goes_on);
+    /// Keeps what a server of the Foxglove WebSocket protocol ("ws://HOST:PORT") tells of lasers,
+    /// odometry and transforms in a new file, `name` with the ending .mcap. A connection that is
+    /// lost is looked for again for as long as `patience` goes; then the tour is over. Throws
+    /// ConfigError where the address is none, FileError where nobody answers there, somebody who
+    /// does not speak the protocol, or the file is there already or cannot be written.
+    static std::unique_ptr<LiveSource> of_server(const std::string& url,
+                                                 const std::filesystem::path& name,
+                                                 std::chrono::seconds patience);
     ~LiveSource();
     LiveSource(const LiveSource&) = delete;
     LiveSource& operator=(const LiveSource&) = delete;
@@ -57,12 +72,14 @@ class LiveSource {
 
     /// No more is waited for: the tour is what has come by now.
     void end();
+    /// What has happened to a connection since this was last asked, in words.
+    std::vector<Message> take_news();
     /// Why it was over before its time, or why something is missing; nothing where all is well.
     std::optional<FileError> problem() const;
 
   private:
     /// Puts what comes into the file until it is over or no more is wanted; throws FileError.
-    using Receive = std::function<void(const std::stop_token& stop)>;
+    using Receive = std::function<void(const std::stop_token& stop, LiveSource& source)>;
     LiveSource(const std::filesystem::path& file, Receive receive);
     Opening opening_now(std::string_view format, ReadOptions options, std::size_t scans) const;
 
@@ -70,6 +87,7 @@ class LiveSource {
     std::shared_ptr<FileGrowth> growth_;
     mutable std::mutex mutex_;
     std::optional<FileError> problem_;
+    std::vector<Message> news_;
     std::jthread receiver_;  // last: it uses everything above
 };
 

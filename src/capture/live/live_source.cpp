@@ -18,6 +18,7 @@
 #include "hitos/base/translatable.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/procesador.hpp"
+#include "live/foxglove_receiver.hpp"
 #include "recordings/mcap_ops.hpp"
 #include "recordings/recording.hpp"
 #include "regular_file.hpp"
@@ -68,6 +69,16 @@ void append(int target, const std::filesystem::path& file, std::span<const char>
     }
 }
 
+/// One that was not there, to be appended to. Throws FileError.
+std::shared_ptr<const Descriptor> new_file(const std::filesystem::path& file) {
+    auto target = std::make_shared<const Descriptor>(
+        ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC,
+               S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH));
+    if (target->number() >= 0) return target;
+    throw FileError(file.string(), HITOS_TEXT("Errors", "cannot be made to keep what comes in: %1"),
+                    system_message(errno));
+}
+
 /// The bytes up to the end of the last whole line.
 std::uint64_t whole_lines(const std::filesystem::path& path, std::uint64_t size) {
     const RegularFile file(path);
@@ -91,7 +102,7 @@ LiveSource::LiveSource(const std::filesystem::path& file)
 LiveSource::LiveSource(const std::filesystem::path& file, Receive receive) : LiveSource(file) {
     receiver_ = std::jthread([this, receive = std::move(receive)](const std::stop_token& stop) {
         try {
-            receive(stop);
+            receive(stop, *this);
         } catch (const FileError& error) {
             const std::scoped_lock lock(mutex_);
             problem_ = error;
@@ -116,15 +127,8 @@ std::unique_ptr<LiveSource> LiveSource::of_pipe(int descriptor, const std::files
     }
     std::filesystem::path file = name;
     file += begins_mcap(first) ? ".mcap" : ".log";
-    auto target = std::make_shared<const Descriptor>(
-        ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC,
-               S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH));
-    if (target->number() < 0) {
-        throw FileError(file.string(),
-                        HITOS_TEXT("Errors", "cannot be made to keep what comes in: %1"),
-                        system_message(errno));
-    }
-    const auto receive = [=](const std::stop_token& stop) {
+    const auto target = new_file(file);
+    const auto receive = [=](const std::stop_token& stop, LiveSource&) {
         append(target->number(), file, first);
         std::array<char, kInputBytes> block{};
         while (!stop.stop_requested()) {
@@ -134,6 +138,29 @@ std::unique_ptr<LiveSource> LiveSource::of_pipe(int descriptor, const std::files
         }
     };
     return std::unique_ptr<LiveSource>(new LiveSource(file, receive));
+}
+
+std::unique_ptr<LiveSource> LiveSource::of_server(const std::string& url,
+                                                  const std::filesystem::path& name,
+                                                  std::chrono::seconds patience) {
+    const auto receiver = std::make_shared<FoxgloveReceiver>(url, patience);
+    std::filesystem::path file = name;
+    file += ".mcap";
+    const auto target = new_file(file);
+    const auto receive = [=](const std::stop_token& stop, LiveSource& source) {
+        receiver->receive(
+            stop, [&](std::string_view bytes) { append(target->number(), file, bytes); },
+            [&](Message news) {
+                const std::scoped_lock lock(source.mutex_);
+                source.news_.push_back(std::move(news));
+            });
+    };
+    return std::unique_ptr<LiveSource>(new LiveSource(file, receive));
+}
+
+std::vector<Message> LiveSource::take_news() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(news_, {});
 }
 
 void LiveSource::end() {

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "live/foxglove_receiver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "hitos/base/error.hpp"
+#include "hitos/base/translatable.hpp"
+#include "recordings/recording.hpp"
+#include "ros/survey.hpp"
+
+namespace hitos {
+namespace {
+
+/// The older name of the protocol, and that of its newer servers; what is used is the same in both.
+constexpr const char* kProtocols = "foxglove.websocket.v1, foxglove.sdk.v1";
+
+/// Whether it is of use to a tour.
+bool is_wanted(const ReceivedTopic& topic) {
+    Topics topics([](const Topic& told) {
+        return is_laser(told) || is_odometry(told) || is_transforms(told);
+    });
+    return topics.of(topic.name, topic.type, topic.encoding).wanted;
+}
+
+}  // namespace
+
+FoxgloveReceiver::FoxgloveReceiver(std::string url, std::chrono::seconds patience)
+    : url_(std::move(url)),
+      address_(url_),
+      patience_(patience),
+      socket_(std::make_unique<WebSocket>(address_, url_, kProtocols)) {}
+
+void FoxgloveReceiver::receive(const std::stop_token& stop, const Put& put, const News& news) {
+    std::string bytes;
+    ReceivedMcap::begin(bytes);
+    put(bytes);
+    while (!stop.stop_requested()) {
+        std::optional<Message> problem;
+        try {
+            if (const std::optional<WebSocket::Frame> frame = socket_->next())
+                take(*frame, put, news);
+            continue;
+        } catch (const ConnectionError& error) {
+            problem = error.why();
+        }
+        socket_.reset();
+        news(message(HITOS_TEXT("Errors", "%1; it is looked for again"), *problem));
+        if (!connect_again(stop, news)) break;
+    }
+    bytes.clear();
+    ReceivedMcap::finish(bytes);
+    put(bytes);
+}
+
+bool FoxgloveReceiver::connect_again(const std::stop_token& stop, const News& news) {
+    using Clock = std::chrono::steady_clock;
+    using namespace std::chrono_literals;
+    const Clock::time_point begin = Clock::now();
+    std::chrono::milliseconds pause = 100ms;
+    topics_.clear();
+    subscriptions_.clear();
+    while (!stop.stop_requested()) {
+        const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+        try {
+            socket_ = std::make_unique<WebSocket>(address_, url_, kProtocols);
+            news(message(HITOS_TEXT("Errors", "connected again after %1 s"),
+                         std::round(10.0 * seconds) / 10.0));
+            return true;
+        } catch (const ConnectionError& error) {
+            if (seconds > static_cast<double>(patience_.count())) {
+                news(message(
+                    HITOS_TEXT("Errors", "%1; it was looked for for %2 s, and the tour ends here"),
+                    error.why(), patience_.count()));
+                return false;
+            }
+        }
+        for (auto left = pause; left > 0ms && !stop.stop_requested(); left -= 20ms)
+            std::this_thread::sleep_for(std::min(left, 20ms));
+        pause = std::min(2 * pause, std::chrono::milliseconds(2s));
+    }
+    return false;
+}
+
+void FoxgloveReceiver::take(const WebSocket::Frame& frame, const Put& put, const News& news) {
+    try {
+        if (frame.text) {
+            take_text(frame.bytes, put, news);
+            return;
+        }
+        const std::optional<FoxgloveMessage> found = foxglove_message(frame.bytes);
+        if (!found) return;
+        const auto topic = topics_.find(found->subscription);
+        if (topic == topics_.end()) return;  // of one that was given up
+        std::string bytes;
+        mcap_.put_message(bytes, topic->second, found->received_ns, found->bytes);
+        put(bytes);
+    } catch (const FormatError& error) {
+        constexpr std::uint64_t kTold = 10;
+        if (++malformed_ <= kTold) news(error.problem());
+    }
+}
+
+void FoxgloveReceiver::take_text(std::string_view text, const Put& put, const News& news) {
+    const FoxgloveSaid said = foxglove_said(text);
+    if (said.alarm)
+        news(message(HITOS_TEXT("Errors", "the server says: %1"), verbatim(*said.alarm)));
+    for (const std::uint64_t id : said.gone) {
+        const auto known = subscriptions_.find(id);
+        if (known == subscriptions_.end()) continue;
+        topics_.erase(known->second);
+        subscriptions_.erase(known);
+    }
+    std::vector<std::pair<std::uint32_t, std::uint64_t>> asked;
+    for (const FoxgloveChannel& channel : said.channels) {
+        if (subscriptions_.contains(channel.id) || !is_wanted(channel.topic)) continue;
+        std::string bytes;
+        const std::uint16_t topic = mcap_.add(bytes, channel.topic);
+        if (!bytes.empty()) put(bytes);
+        asked.emplace_back(++last_subscription_, channel.id);
+        subscriptions_.emplace(channel.id, last_subscription_);
+        topics_.emplace(last_subscription_, topic);
+        if (told_.insert(channel.topic.name).second) {
+            news(message(HITOS_TEXT("Errors", "receives %1 (%2)"), verbatim(channel.topic.name),
+                         verbatim(channel.topic.type)));
+        }
+    }
+    if (!asked.empty()) socket_->send(foxglove_subscribe(asked));
+}
+
+}  // namespace hitos

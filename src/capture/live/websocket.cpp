@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "live/websocket.hpp"
+
+#include <algorithm>
+#include <boost/asio/connect.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/websocket.hpp>
+#include <chrono>
+
+#include "hitos/base/message.hpp"
+#include "hitos/base/text_input.hpp"
+#include "hitos/base/translatable.hpp"
+#include "hitos/capture/live_source.hpp"
+#include "recordings/recording.hpp"
+
+namespace hitos {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace websocket = beast::websocket;
+using boost::system::error_code;
+
+constexpr std::string_view kScheme = "ws://";
+constexpr std::chrono::seconds kPatience(5);  // to connect
+constexpr std::chrono::seconds kSilence(10);  // after which a link that answers no ping is dead
+constexpr std::chrono::milliseconds kLook(20);
+constexpr std::size_t kLargestFrame = kLargestMessage + 64;
+
+[[noreturn]] void refuse(const std::string& url) {
+    throw ConfigError(
+        "log", HITOS_TEXT("Errors", "found \"%1\", expected an address as ws://HOST:PORT"), url);
+}
+
+ConnectionError lost(const std::string& url, const error_code& error) {
+    return {url,
+            message(HITOS_TEXT("Errors", "the connection is lost: %1"), verbatim(error.message()))};
+}
+
+}  // namespace
+
+bool is_websocket_address(std::string_view source) {
+    return source.starts_with(kScheme) || source.starts_with("wss://");
+}
+
+WebSocketAddress::WebSocketAddress(const std::string& url) {
+    if (url.starts_with("wss://")) {
+        throw ConfigError("log",
+                          HITOS_TEXT("Errors",
+                                     "found \"%1\"; encrypted connections are not spoken, expected "
+                                     "ws://HOST:PORT, for instance through a tunnel of ssh"),
+                          url);
+    }
+    std::string_view rest = url;
+    if (!rest.starts_with(kScheme)) refuse(url);
+    rest.remove_prefix(kScheme.size());
+    if (const std::size_t slash = rest.find('/'); slash != std::string_view::npos) {
+        path = rest.substr(slash);
+        rest = rest.substr(0, slash);
+    }
+    const bool bracketed = rest.starts_with('[');
+    const std::size_t end = bracketed ? rest.find(']') : rest.rfind(':');
+    if (bracketed && end == std::string_view::npos) refuse(url);
+    const std::string_view behind =
+        end == std::string_view::npos ? "" : rest.substr(bracketed ? end + 1 : end);
+    host = bracketed ? rest.substr(1, end - 1) : rest.substr(0, end);
+    if (!behind.empty()) {
+        const auto number = input::parse_number(behind.substr(1));
+        const bool digits =
+            std::ranges::all_of(behind.substr(1), [](char c) { return c >= '0' && c <= '9'; });
+        if (behind.front() != ':' || !digits || !number || *number < 1 || *number > 65535)
+            refuse(url);
+        port = behind.substr(1);
+    }
+    const bool odd = std::ranges::any_of(
+        url, [](char c) { return static_cast<unsigned char>(c) <= ' ' || c == '\x7f'; });
+    if (host.empty() || odd) refuse(url);
+}
+
+struct WebSocket::Connection {
+    std::string url;
+    asio::io_context io;
+    websocket::stream<beast::tcp_stream> stream{io};
+    beast::flat_buffer buffer{kLargestFrame};
+    bool reading = false;
+    bool read = false;
+    error_code error;
+
+    /// Until what was begun has come to its end.
+    template <class Begin>
+    void wait(const Begin& begin) {
+        bool done = false;
+        begin([&](const error_code& came, auto&&...) {
+            error = came;
+            done = true;
+        });
+        io.restart();
+        while (!done && io.run_one() > 0) {
+        }
+    }
+};
+
+WebSocket::WebSocket(const WebSocketAddress& address, const std::string& url,
+                     const std::string& protocols)
+    : connection_(std::make_unique<Connection>()) {
+    Connection& link = *connection_;
+    link.url = url;
+    const auto check = [&] {
+        if (!link.error) return;
+        throw ConnectionError(url, message(HITOS_TEXT("Errors", "cannot be connected to: %1"),
+                                           verbatim(link.error.message())));
+    };
+    asio::ip::tcp::resolver resolver(link.io);
+    const auto places = resolver.resolve(address.host, address.port, link.error);
+    check();
+    auto& tcp = beast::get_lowest_layer(link.stream);
+    tcp.expires_after(kPatience);
+    link.wait([&](auto done) { tcp.async_connect(places, done); });
+    check();
+    tcp.expires_never();  // from here on the stream's own times count
+    websocket::stream_base::timeout times{};
+    times.handshake_timeout = kPatience;
+    times.idle_timeout = kSilence;
+    times.keep_alive_pings = true;
+    link.stream.set_option(times);
+    link.stream.set_option(
+        websocket::stream_base::decorator([&protocols](websocket::request_type& request) {
+            request.set(beast::http::field::sec_websocket_protocol, protocols);
+        }));
+    link.stream.read_message_max(kLargestFrame);
+    websocket::response_type answer;
+    link.wait([&](auto done) {
+        const std::string host =
+            (address.host.find(':') == std::string::npos ? address.host
+                                                         : "[" + address.host + "]") +
+            ":" + address.port;
+        link.stream.async_handshake(answer, host, address.path, done);
+    });
+    if (link.error == websocket::error::upgrade_declined) {
+        throw ConnectionError(
+            url,
+            message(HITOS_TEXT("Errors",
+                               "is no server of the Foxglove protocol: it answers \"%1\" where "
+                               "a WebSocket is asked for"),
+                    answer.result_int()));
+    }
+    check();
+    const std::string agreed(answer[beast::http::field::sec_websocket_protocol]);
+    if (agreed.empty() || protocols.find(agreed) == std::string::npos) {
+        throw ConnectionError(
+            url, message(HITOS_TEXT("Errors",
+                                    "is no server of the Foxglove protocol: of %1 it speaks none"),
+                         protocols));
+    }
+}
+
+WebSocket::~WebSocket() = default;
+
+std::optional<WebSocket::Frame> WebSocket::next() {
+    Connection& link = *connection_;
+    if (link.read) {
+        link.buffer.consume(link.buffer.size());
+        link.read = false;
+    }
+    if (!link.reading) {
+        link.reading = true;
+        link.stream.async_read(link.buffer, [&link](const error_code& came, std::size_t /*bytes*/) {
+            link.error = came;
+            link.reading = false;
+            link.read = true;
+        });
+    }
+    link.io.restart();
+    const auto until = std::chrono::steady_clock::now() + kLook;
+    while (!link.read && link.io.run_one_until(until) > 0) {
+    }
+    if (!link.read) return std::nullopt;
+    if (link.error) throw lost(link.url, link.error);
+    const auto bytes = link.buffer.cdata();
+    return Frame{{static_cast<const char*>(bytes.data()), bytes.size()}, link.stream.got_text()};
+}
+
+void WebSocket::send(const std::string& text) {
+    Connection& link = *connection_;
+    error_code error;
+    link.stream.text(true);
+    link.stream.write(asio::buffer(text), error);
+    if (error) throw lost(link.url, error);
+}
+
+}  // namespace hitos
