@@ -67,7 +67,7 @@ std::optional<RawLine> Archivo::read(Cursor& cursor, LineKind wanted) {
         if (line->text.empty() || line->text.front() == '#') continue;
         const LineKind kind = format_.classify(line->text);
         if (kind == wanted || kind == LineKind::both) {
-            if (options_.growth && part_ == Part::whole)
+            if (options_.growth && part_ == Part::whole && wanted == LineKind::scan)
                 options_.growth->note_taken(cursor.reader.consumed());
             return RawLine{line->text, line->number, kind == LineKind::both};
         }

@@ -206,15 +206,14 @@ void refuse_growth(const std::string& path, const LogFormat& format, bool compre
                    const ReadOptions& options) {
     const bool live = options.growth != nullptr || options.opening_bytes > 0;
     if (!live || (format.may_grow && !compressed)) return;
-    throw FormatError(path, 0,
-                      compressed
-                          ? message(HITOS_TEXT("Errors",
-                                               "is compressed; a log that is followed while it is "
-                                               "written is plain text or MCAP"))
-                          : message(HITOS_TEXT("Errors",
-                                               "is of the format %1; a log that is followed while "
-                                               "it is written is text in one file, or MCAP"),
-                                    format.word));
+    throw FileError(
+        path, compressed ? message(HITOS_TEXT("Errors",
+                                              "is compressed; a log that is followed while it is "
+                                              "written is plain text or MCAP"))
+                         : message(HITOS_TEXT("Errors",
+                                              "is of the format %1; a log that is followed while "
+                                              "it is written is text in one file, or MCAP"),
+                                   format.word));
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ DrivenWay driven_way(std::span<const Control> controls) {
 }
 
 void ControlTrack::take(double until_s, std::vector<Control>& out) {
-    while (pending_ || (pending_ = next_())) {
+    // No reading is asked for that is not needed: who comes in live may not have come yet.
+    while (!(started_ && used_until_s_ >= until_s) && (pending_ || (pending_ = next_()))) {
         const Odometria& reading = *pending_;
         if (!started_) {
             started_ = true;  // the first reading only sets the clock
@@ -27,7 +28,6 @@ void ControlTrack::take(double until_s, std::vector<Control>& out) {
             pending_.reset();
             continue;
         }
-        if (used_until_s_ >= until_s) return;
         const double end_s = std::min(until_s, reading.time_s);
         if (end_s > used_until_s_) out.push_back({reading.twist, end_s - used_until_s_});
         used_until_s_ = std::max(used_until_s_, end_s);
@@ -42,11 +42,12 @@ void ControlTrack::controls_until(const Scan& scan, std::vector<Control>& out) {
         take(scan.time_s, out);
         return;
     }
-    while ((pending_ || (pending_ = next_())) && pending_->line <= scan.line) {
+    while (used_line_ < scan.line && (pending_ || (pending_ = next_())) &&
+           pending_->line <= scan.line) {
+        const std::uint64_t line = pending_->line;
         take(pending_->time_s, out);
-        if (pending_ && pending_->line <= scan.line && pending_->time_s <= used_until_s_) {
-            pending_.reset();  // nothing of it is left
-        }
+        if (pending_ && pending_->time_s <= used_until_s_) pending_.reset();  // nothing is left
+        if (!pending_) used_line_ = line;
     }
 }
 

@@ -125,10 +125,16 @@ LiveRun::~LiveRun() {
 }
 
 bool LiveRun::wait_for_opening(SourceParams& source) {
+    constexpr double kPatience = 3.0;  // [s]: half a line is none yet
     ProgressLine line("scan");
+    std::string told;
+    double since_s = 0.0;
     const auto opening = source_->wait_for_opening(
         source.format, source.read, options_.opening, [&](const LiveSource::Opening& now) {
             tell_news(line);
+            const std::string problem = now.problem.english();
+            if (problem.empty() || problem == told) since_s = line.seconds();
+            if (line.seconds() - since_s > kPatience) line.say(told = problem);
             line.show(now.scans, std::nullopt, fmt::format("of {} awaited", options_.opening));
             return !StopByRequest::wanted();
         });

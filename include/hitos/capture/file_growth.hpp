@@ -39,10 +39,10 @@ class FileGrowth {
     /// not.
     std::optional<FileError> problem() const;
 
-    /// A reader has handed out what ends with that byte.
+    /// A reader is about to hand out a scan, which ends with that byte.
     void note_taken(std::uint64_t bytes);
-    /// When the last byte came that a reader has handed out; nothing before the first, and of what
-    /// was in the file already.
+    /// When the last byte of that scan came; nothing before the first, and where it was in the file
+    /// already.
     std::optional<Clock::time_point> taken_came() const;
     /// How many bytes wait for a reader.
     std::uint64_t waiting() const;
@@ -58,6 +58,7 @@ class FileGrowth {
     std::filesystem::path path_;
     int descriptor_ = -1;
     int events_ = -1;  // of the system, which tells of changes; -1 where it does not
+    int over_ = -1;    // tells the watch that it is over
     std::uint64_t before_ = 0;
     mutable std::mutex mutex_;
     mutable std::condition_variable more_;

@@ -61,6 +61,7 @@ class LiveSource {
         std::uint64_t bytes = 0;
         std::size_t scans = 0;
         std::size_t readings = 0;
+        Message problem = {};  ///< why nothing can be made of it yet; empty where something can
     };
     /// Waits for so many scans, by which is decided what has to be before the first one, or for the
     /// end of what comes. `told` hears how far that is, at least ten times a second; where it says

@@ -47,7 +47,8 @@ class ControlTrack {
     NextReading next_;
     std::optional<Odometria> pending_;  ///< read, not yet wholly used
     bool started_ = false;
-    double used_until_s_ = 0.0;  ///< motion is accounted for up to this time
+    double used_until_s_ = 0.0;    ///< motion is accounted for up to this time
+    std::uint64_t used_line_ = 0;  ///< of the last reading that is wholly used
 };
 
 /// The pose by odometry alone at every scan, from (0, 0, 0) at the first reading.

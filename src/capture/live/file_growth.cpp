@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/eventfd.h>
 #include <sys/inotify.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -17,7 +18,7 @@
 namespace hitos {
 namespace {
 
-/// Where the system tells of no change (a network's folder), and for whoever ends the watch.
+/// Where the system tells of no change, as of a network's folder.
 constexpr int kLookMilliseconds = 20;
 /// More are thinned out: they then tell the time of every other piece.
 constexpr std::size_t kMostArrivals = std::size_t{1} << 16;
@@ -31,6 +32,7 @@ FileGrowth::FileGrowth(const std::filesystem::path& file) : path_(file) {
         throw FileError(file.string(), HITOS_TEXT("Errors", "cannot be opened for reading: %1"),
                         system_message(errno));
     }
+    over_ = ::eventfd(0, EFD_CLOEXEC);
     events_ = ::inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
     if (events_ >= 0 && ::inotify_add_watch(events_, file.c_str(), IN_MODIFY) < 0) {
         ::close(events_);
@@ -42,7 +44,9 @@ FileGrowth::FileGrowth(const std::filesystem::path& file) : path_(file) {
 FileGrowth::~FileGrowth() {
     end();
     watch_.request_stop();
+    if (over_ >= 0) ::eventfd_write(over_, 1);
     watch_.join();
+    if (over_ >= 0) ::close(over_);
     if (events_ >= 0) ::close(events_);
     ::close(descriptor_);
 }
@@ -50,8 +54,9 @@ FileGrowth::~FileGrowth() {
 void FileGrowth::watch(const std::stop_token& stop) {
     std::array<char, 4096> told{};
     while (!stop.stop_requested()) {
-        pollfd event{events_, POLLIN, 0};
-        ::poll(&event, 1, kLookMilliseconds);  // without a descriptor it waits alone
+        // Without descriptors it waits alone.
+        std::array<pollfd, 2> events{pollfd{events_, POLLIN, 0}, pollfd{over_, POLLIN, 0}};
+        ::poll(events.data(), events.size(), kLookMilliseconds);
         while (events_ >= 0 && ::read(events_, told.data(), told.size()) > 0) {
         }
         const std::scoped_lock lock(mutex_);

@@ -125,6 +125,11 @@ std::unique_ptr<LiveSource> LiveSource::of_pipe(int descriptor, const std::files
         if (got) first.append(block.data(), *got);
         if (!goes_on()) return nullptr;
     }
+    if (first.empty()) {
+        throw FileError("/dev/stdin", HITOS_TEXT("Errors",
+                                                 "ended before anything came; expected a "
+                                                 "log from the program before the |"));
+    }
     std::filesystem::path file = name;
     file += begins_mcap(first) ? ".mcap" : ".log";
     const auto target = new_file(file);
@@ -202,8 +207,9 @@ std::optional<LiveSource::Opening> LiveSource::wait_for_opening(
             looked_at = growth_->size();
             try {
                 opening = opening_now(format, options, scans);
-            } catch (const FormatError&) {
+            } catch (const FormatError& error) {
                 if (over) throw;  // else more may make sense of it
+                opening.problem = error.problem();
             }
             if (over || opening.scans >= scans) return opening;
         }

@@ -64,11 +64,17 @@ class Mcap final : public ChunkedRecording {
                 read_chunk(record);
                 return Step::passed;
             default:
-                // What follows repeats what was told before.
-                if (outside && (op == McapOp::data_end || op == McapOp::footer)) {
-                    closed_ = closed_ || grows();  // its last bytes are being written
+                if (outside && op == McapOp::footer && grows()) {
+                    record.finish();
+                    std::array<char, kMcapMagic.size()> last{};
+                    closed_ = from.read(last) == last.size() &&
+                              std::string_view(last.data(), last.size()) == kMcapMagic;
                     return Step::end;
                 }
+                // What follows repeats what was told before; of a file that is being written it is
+                // read, to know its end.
+                if (outside && (op == McapOp::data_end || op == McapOp::footer) && !grows())
+                    return Step::end;
                 break;  // indexes, attachments, metadata, and what later versions add
         }
         record.finish();

@@ -84,7 +84,7 @@ std::unique_ptr<Fuente> RecordingSource::opening() const {
 
 std::optional<RecordedMessage> RecordingSource::next(Cursor& cursor) {
     std::optional<RecordedMessage> found = cursor.recording->next();
-    if (found && part_ == Part::whole && plan_->options.growth)
+    if (found && part_ == Part::whole && plan_->options.growth && &cursor == scans_.get())
         plan_->options.growth->note_taken(cursor.recording->position());
     return found;
 }

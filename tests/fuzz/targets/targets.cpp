@@ -20,6 +20,7 @@ std::span<const Target> targets() {
         Target{"rosbag", check_rosbag},
         Target{"mcap", check_mcap},
         Target{"db3", check_db3},
+        Target{"foxglove", check_foxglove},
         Target{"player", check_player},
         Target{"radish", check_radish},
         Target{"carmen", check_carmen},

@@ -18,6 +18,7 @@ Check check_carmen;         ///<
 Check check_rosbag;         ///< ROS recordings, by container
 Check check_mcap;           ///<
 Check check_db3;            ///<
+Check check_foxglove;       ///< frames of a running robot's server: 't' or 'b', then the frame
 Check check_gzip;           ///< packed logs and texts; what is not packed is packed first
 Check check_configuration;  ///< configuration files
 Check check_world;          ///< worlds, beside a drawing of walls

@@ -34,6 +34,24 @@ class TempDir : public TempFolder {
     }
 };
 
+/// What a compressed file unpacks to.
+inline std::string unpacked_content(const std::filesystem::path& path) {
+    std::string content;
+    std::string block(1 << 16, '\0');
+    gzFile file = ::gzopen(path.c_str(), "rb");
+    for (int got = 1; got > 0;) {
+        got = ::gzread(file, block.data(), static_cast<unsigned>(block.size()));
+        if (got > 0) content.append(block, 0, static_cast<std::size_t>(got));
+    }
+    ::gzclose(file);
+    return content;
+}
+
+/// A log that comes with Hitos.
+inline std::string shipped_log(const std::string& name) {
+    return unpacked_content(std::filesystem::path(HITOS_SOURCE_DIR) / "data/logs" / name);
+}
+
 /// Everything that a log gives.
 struct Log {
     std::vector<Scan> scans;
