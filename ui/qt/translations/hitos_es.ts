@@ -3218,6 +3218,94 @@
         <source>a graph from a file has no scans that see a wall or point of a drawing; &quot;fix&quot; holds a pose at a known place</source>
         <translation>un grafo de un archivo no tiene barridos que vean una pared o un punto de un dibujo; «fix» sujeta una pose en un sitio conocido</translation>
     </message>
+    <message>
+        <source>has become shorter while it was followed, from %1 to %2 bytes; what it had before that is what counts</source>
+        <translation>se ha acortado mientras se seguía, de %1 a %2 bytes; cuenta lo que tenía antes</translation>
+    </message>
+    <message>
+        <source>found a frame that is not of the protocol: %1</source>
+        <translation>se ha encontrado una trama que no es del protocolo: %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing or of another kind</source>
+        <translation>«%1» falta o es de otra clase</translation>
+    </message>
+    <message>
+        <source>a channel is no object</source>
+        <translation>un canal no es un objeto</translation>
+    </message>
+    <message>
+        <source>it is no JSON object</source>
+        <translation>no es un objeto JSON</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>está vacía</translation>
+    </message>
+    <message>
+        <source>%1; it is looked for again</source>
+        <translation>%1; se vuelve a buscar</translation>
+    </message>
+    <message>
+        <source>connected again after %1 s</source>
+        <translation>conectado de nuevo tras %1 s</translation>
+    </message>
+    <message>
+        <source>%1; it was looked for for %2 s, and the tour ends here</source>
+        <translation>%1; se ha buscado durante %2 s, y el recorrido termina aquí</translation>
+    </message>
+    <message>
+        <source>the server says: %1</source>
+        <translation>el servidor dice: %1</translation>
+    </message>
+    <message>
+        <source>receives %1 (%2)</source>
+        <translation>recibe %1 (%2)</translation>
+    </message>
+    <message>
+        <source>cannot keep what comes in: %1; the tour ends with what it has</source>
+        <translation>no puede guardar lo que llega: %1; el recorrido termina con lo que tiene</translation>
+    </message>
+    <message>
+        <source>cannot be made to keep what comes in: %1</source>
+        <translation>no se puede crear para guardar lo que llega: %1</translation>
+    </message>
+    <message>
+        <source>ended before anything came; expected a log from the program before the |</source>
+        <translation>terminó antes de que llegara nada; se esperaba un registro del programa delante de |</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;, expected an address as ws://HOST:PORT</source>
+        <translation>se ha encontrado «%1», se esperaba una dirección como ws://HOST:PORT</translation>
+    </message>
+    <message>
+        <source>the connection is lost: %1</source>
+        <translation>se ha perdido la conexión: %1</translation>
+    </message>
+    <message>
+        <source>found &quot;%1&quot;; encrypted connections are not spoken, expected ws://HOST:PORT, for instance through a tunnel of ssh</source>
+        <translation>se ha encontrado «%1»; no hay conexiones cifradas, se esperaba ws://HOST:PORT, por ejemplo a través de un túnel de ssh</translation>
+    </message>
+    <message>
+        <source>cannot be connected to: %1</source>
+        <translation>no se puede conectar: %1</translation>
+    </message>
+    <message>
+        <source>is no server of the Foxglove protocol: it answers &quot;%1&quot; where a WebSocket is asked for</source>
+        <translation>no es un servidor del protocolo de Foxglove: responde «%1» donde se pide un WebSocket</translation>
+    </message>
+    <message>
+        <source>is no server of the Foxglove protocol: of %1 it speaks none</source>
+        <translation>no es un servidor del protocolo de Foxglove: de %1 no habla ninguno</translation>
+    </message>
+    <message>
+        <source>is compressed; a log that is followed while it is written is plain text or MCAP</source>
+        <translation>está comprimido; un registro que se sigue mientras se escribe es texto sin comprimir o MCAP</translation>
+    </message>
+    <message>
+        <source>is of the format %1; a log that is followed while it is written is text in one file, or MCAP</source>
+        <translation>es del formato %1; un registro que se sigue mientras se escribe es texto en un solo archivo, o MCAP</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -4119,6 +4207,10 @@
         <source>What is changed in the graph of this very tour: &quot;refuse SCAN EARLIER&quot; (no loop), &quot;close SCAN EARLIER X Y THETA&quot; (a loop), &quot;fix SCAN X Y THETA&quot;, &quot;slip SCAN&quot;, &quot;wall SCAN BEARING X1 Y1 X2 Y2&quot; and &quot;point SCAN DX DY X Y&quot; (anchors to a drawing), with semicolons between; a file of them is read by --edits.</source>
         <translation>Lo que se cambia en el grafo de este mismo recorrido: «refuse SCAN EARLIER» (no es un bucle), «close SCAN EARLIER X Y THETA» (lo es), «fix SCAN X Y THETA», «slip SCAN», «wall SCAN BEARING X1 Y1 X2 Y2» y «point SCAN DX DY X Y» (anclas a un dibujo), separados por punto y coma; --edits lee un archivo de ellos.</translation>
     </message>
+    <message>
+        <source>Of a log that came in live: by how many of its first bytes was decided what has to be before the first scan, and its messages are taken as they were received; so it gives what the live run gave. 0: by all of it, in the order of its stamps.</source>
+        <translation>De un registro que llegó en vivo: por cuántos de sus primeros bytes se decidió lo que hay que decidir antes del primer barrido, y sus mensajes se toman como se recibieron; así da lo que dio la ejecución en vivo. 0: por todo él, en el orden de sus instantes.</translation>
+    </message>
 </context>
 <context>
     <name>ParameterChoice</name>
@@ -5011,6 +5103,10 @@
     <message>
         <source>Fewest points</source>
         <translation>Mínimo de puntos</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Apertura</translation>
     </message>
 </context>
 <context>
