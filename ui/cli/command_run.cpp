@@ -44,6 +44,7 @@
 #include "progress_line.hpp"
 #include "report.hpp"
 #include "run_words.hpp"
+#include "serve_run.hpp"
 
 namespace hitos::cli {
 namespace {
@@ -67,6 +68,7 @@ struct RunOptions {
     bool replace = false;
     bool json = false;
     LiveOptions live;
+    std::string serve;
 };
 
 constexpr int kNotWhole = 2;  // the program's status
@@ -190,6 +192,8 @@ void run(const RunOptions& options) {
     // end, and what follows on that takes its time.
     const StopByRequest request(options.live.follow ? StopByRequest::Patience::endless
                                                     : StopByRequest::Patience::two_seconds);
+    std::optional<ServeRun> serve;  // first: its port may be another's
+    if (!options.serve.empty()) serve.emplace(options.serve, options.log);
     std::optional<LiveRun> live;
     ReadOptions opening;
     if (options.live.follow) {
@@ -257,6 +261,7 @@ void run(const RunOptions& options) {
     Progress progress = worker.progress();
     while (progress.state == Progress::State::running) {
         if (live) live->look(worker, line);
+        if (serve) serve->look(worker, live ? live->behind_s() : std::nullopt);
         if (!stopped && ((StopByRequest::wanted() && !live) || log.changed(progress.steps))) {
             worker.pause();
             stopped = true;
@@ -268,6 +273,7 @@ void run(const RunOptions& options) {
             plural(progress.lines + progress.corners, "landmark") + (live ? live->behind() : ""));
     }
     if (progress.state == Progress::State::failed) throw Error(progress.error);
+    if (serve) serve->look_at_end(worker);
     // Of the last scans of all nobody would know.
     const bool finished = progress.state == Progress::State::finished;
     if ((finished || progress.steps == 0) && log.changed(progress.steps)) log.check();
@@ -412,6 +418,7 @@ void add_run(CLI::App& program) {
     command->add_flag("--replace", options->replace,
                       "Put this run in the place of another one that the folder holds");
     add_live_options(*command, options->live);
+    add_serve_option(*command, options->serve);
     add_report_option(*command, options->json);
     command->callback([options] { run(*options); });
 }

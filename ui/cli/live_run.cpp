@@ -202,11 +202,16 @@ void LiveRun::tell_doubts(Evidence evidence, ProgressLine& line) {
     }
 }
 
+std::optional<double> LiveRun::behind_s() const {
+    const auto came = source_->growth()->taken_came();
+    if (!came) return std::nullopt;
+    if (source_->growth()->waiting() == 0) return 0.0;
+    return std::chrono::duration<double>(FileGrowth::Clock::now() - *came).count();
+}
+
 std::string LiveRun::behind() const {
     constexpr double kWorthSaying = 1.0;  // [s]
-    const auto came = source_->growth()->taken_came();
-    if (!came || source_->growth()->waiting() == 0) return {};
-    const double seconds = std::chrono::duration<double>(FileGrowth::Clock::now() - *came).count();
+    const double seconds = behind_s().value_or(0.0);
     return seconds < kWorthSaying ? "" : fmt::format("  {:.0f} s behind", seconds);
 }
 

@@ -56,7 +56,9 @@ class LiveRun {
     /// By the program's thread, over and over: ends what comes where the program was asked to, and
     /// says what is to doubt as soon as it shows.
     void look(RunWorker& worker, ProgressLine& line);
-    /// How far the run is behind what comes; empty where it is not.
+    /// How far the run is behind what comes; nothing where no scan of what comes was taken yet.
+    std::optional<double> behind_s() const;
+    /// The same in words; empty where it is not.
     std::string behind() const;
     void tell(Report& report) const;
     /// Why the tour ended before its time; nothing where it did not.
