@@ -66,7 +66,8 @@ void add_serve_option(CLI::App& command, std::string& address) {
 
 ServeRun::ServeRun(const std::string& address, const std::string& log) {
     const LiveServer::Address where = *address_in(address);
-    const std::string name = std::filesystem::path(log).filename().string();
+    const std::string name =
+        log == "-" ? "standard input" : std::filesystem::path(log).filename().string();
     try {
         server_ = std::make_unique<LiveServer>(where, "Hitos: " + (name.empty() ? log : name));
     } catch (const Error& error) {
@@ -94,7 +95,6 @@ void ServeRun::look(RunWorker& worker, std::optional<double> behind_s) {
 }
 
 void ServeRun::look_at_end(RunWorker& worker) {
-    if (server_->clients() == 0) return;
     worker.request_snapshot();
     worker.wait();
     server_->show(worker.latest_snapshot(), std::nullopt);

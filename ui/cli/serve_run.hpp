@@ -24,7 +24,8 @@ class ServeRun {
 
     /// By the program's thread, over and over, while the run goes on.
     void look(RunWorker& worker, std::optional<double> behind_s);
-    /// Shows the state that the run has come to; it rests.
+    /// Shows the state that the run has come to, to those too who come while files are written; the
+    /// run rests.
     void look_at_end(RunWorker& worker);
 
   private:

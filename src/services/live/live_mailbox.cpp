@@ -37,11 +37,11 @@ void Mailbox::take(std::string_view text) {
         complain(request.wrong);
         return;
     }
-    if (!request.unknown.empty()) {
+    if (request.unknown) {
         put_text(status(StatusLevel::warning,
-                        fmt::format("op {} is not known; this server knows subscribe and "
+                        fmt::format("op \"{}\" is not known; this server knows subscribe and "
                                     "unsubscribe",
-                                    request.unknown)));
+                                    *request.unknown)));
     }
     for (const auto& [id, channel] : request.subscribe) {
         if (!subscribe(id, channel)) break;

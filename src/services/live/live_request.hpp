@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,8 +16,8 @@ struct Request {
     /// By their own ids, the channels that are wanted.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> subscribe;
     std::vector<std::uint32_t> unsubscribe;
-    std::string unknown;  ///< the op, where it is none of these
-    std::string wrong;    ///< words to the client, where it is none at all
+    std::optional<std::string> unknown;  ///< the op, where it is none of these
+    std::string wrong;                   ///< words to the client, where it is none at all
 };
 
 Request parsed_request(std::string_view text);
