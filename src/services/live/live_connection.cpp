@@ -28,8 +28,8 @@ using Code = boost::system::error_code;
 using HttpRequest = http::request<http::empty_body>;
 using HttpResponse = http::response<http::string_body>;
 
-constexpr std::size_t kLongestRequest = 64 * 1024;
-constexpr std::size_t kChunk = 64 * 1024;  // in each of which a slow client shows that it reads
+constexpr std::size_t kLongestRequest = 65536;
+constexpr std::size_t kChunk = 65536;  // in each of which a slow client shows that it reads
 
 std::string_view view(beast::string_view text) {
     return {text.data(), text.size()};

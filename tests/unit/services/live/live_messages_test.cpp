@@ -2,6 +2,7 @@
 // What clients are told of a snapshot, by the schemas that they are told too.
 #include "live/live_messages.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +37,7 @@ void expect_valid(const json& value, const json& schema, const std::string& wher
         }
         for (const auto& [name, part] : value.items()) {
             ASSERT_TRUE(schema.at("properties").contains(name)) << where << "." << name;
-            expect_valid(part, schema["properties"][name], where + "." + name);
+            expect_valid(part, schema["properties"][name], fmt::format("{}.{}", where, name));
         }
     } else if (type == "array") {
         ASSERT_TRUE(value.is_array()) << where;
@@ -207,14 +208,14 @@ TEST(LiveMessages, TheGridIsItsPictureFromBelow) {
 TEST(LiveMessages, AGreatGridIsToldInGreaterCells) {
     Snapshot snapshot = full_snapshot();
     GridTiles& grid = snapshot.step_grid;
-    grid.area = {-64, -64, 64 * 63, 64 * 63};
+    grid.area = {-64, -64, 4032, 4032};
     grid.first_column = grid.first_row = -1;
     grid.columns = grid.rows = 64;
     auto tile = std::make_shared<GridTile>();
     tile->grey.fill(kUnknownGrey);
     tile->grey[0] = 255;
     tile->grey[1] = 10;  // beside a free one: the darker is told
-    grid.tiles.assign(64 * 64, nullptr);
+    grid.tiles.assign(4096, nullptr);
     grid.tiles[1] = tile;
     const json message = json::parse(grid_message({snapshot, {}}));
     const std::string cells = decoded(message["data"].get<std::string>());
