@@ -199,7 +199,8 @@ TEST(LiveServerTest, GreetsThenTellsWhatIsSubscribedTo) {
         const Data data = client.data();
         EXPECT_EQ(data.subscription, id);
         EXPECT_EQ(data.time_ns, 3000000000U);
-        for (const json& name : channel.schema()["required"]) {
+        const json schema = channel.schema();
+        for (const json& name : schema["required"]) {
             EXPECT_TRUE(data.message.contains(name.get<std::string>())) << channel.topic << name;
         }
     }
