@@ -3306,6 +3306,26 @@
         <source>is of the format %1; a log that is followed while it is written is text in one file, or MCAP</source>
         <translation>es del formato %1; un registro que se sigue mientras se escribe es texto en un solo archivo, o MCAP</translation>
     </message>
+    <message>
+        <source>nothing can be served at %1: another program has this port; name another one, or 0 for any that is free</source>
+        <translation>no se puede servir nada en %1: otro programa tiene este puerto; indique otro, o 0 para cualquiera que esté libre</translation>
+    </message>
+    <message>
+        <source>nothing can be served at %1: this program has no right to it; name a port from 1024 on</source>
+        <translation>no se puede servir nada en %1: este programa no tiene permiso; indique un puerto desde 1024</translation>
+    </message>
+    <message>
+        <source>nothing can be served at %1: this machine has no such address; 127.0.0.1 is for itself alone, 0.0.0.0 for all that reach it</source>
+        <translation>no se puede servir nada en %1: esta máquina no tiene tal dirección; 127.0.0.1 es para ella sola, 0.0.0.0 para todos los que la alcancen</translation>
+    </message>
+    <message>
+        <source>nothing can be served at %1: %2</source>
+        <translation>no se puede servir nada en %1: %2</translation>
+    </message>
+    <message>
+        <source>nothing can be served at %1: there is no host of this name; 127.0.0.1 is this machine for itself alone, 0.0.0.0 for all that reach it</source>
+        <translation>no se puede servir nada en %1: no hay ninguna máquina con este nombre; 127.0.0.1 es esta máquina para ella sola, 0.0.0.0 para todos los que la alcancen</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
