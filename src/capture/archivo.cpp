@@ -59,7 +59,9 @@ std::optional<RawLine> Archivo::read(Cursor& cursor, LineKind wanted) {
         const std::string file = cursor.path.filename().string();
         damage_.note(number, apart_ ? message("%1: %2", file, reason) : std::move(reason));
     };
+    const bool is_live = options_.growth && part_ == Part::whole && wanted == LineKind::scan;
     while (std::optional<LineReader::Line> line = cursor.reader.next()) {
+        if (is_live) options_.growth->note_passed(cursor.reader.consumed());
         if (!line->damage.empty()) {
             if (tells_damage) note(line->number, std::move(line->damage));
             continue;
@@ -67,8 +69,7 @@ std::optional<RawLine> Archivo::read(Cursor& cursor, LineKind wanted) {
         if (line->text.empty() || line->text.front() == '#') continue;
         const LineKind kind = format_.classify(line->text);
         if (kind == wanted || kind == LineKind::both) {
-            if (options_.growth && part_ == Part::whole && wanted == LineKind::scan)
-                options_.growth->note_taken(cursor.reader.consumed());
+            if (is_live) options_.growth->note_taken(cursor.reader.consumed());
             return RawLine{line->text, line->number, kind == LineKind::both};
         }
         const bool elsewhere = apart_ && kind != LineKind::other;  // a line of the other file

@@ -62,16 +62,16 @@ bool has_decimal_commas(std::string_view text) {
     return found == 2;
 }
 
-Probe probe(const std::filesystem::path& path) {
+Probe probe(const std::filesystem::path& path, const FileExtent& extent) {
     Probe result;
     result.votes.resize(log_formats().entries().size());
     {
-        ByteStream bytes(path);
+        ByteStream bytes(path, extent);
         std::array<char, 8> beginning{};
         const std::size_t got = bytes.read(beginning);
         result.raw_beginning.assign(beginning.data(), got);
     }
-    LineReader reader(path);
+    LineReader reader(path, extent);
     for (std::uint64_t lines = 0;
          lines < kProbeLines && reader.consumed() < kProbeBytes && result.claimed < kVotes;) {
         const std::optional<LineReader::Line> line = reader.next();
@@ -240,7 +240,8 @@ std::unique_ptr<Fuente> open_log(const std::filesystem::path& path, std::string_
                       options);
         return recording->open(path, *recording, options);
     }
-    const Probe found = probe(path);
+    const Probe found =
+        probe(path, options.opening_bytes > 0 ? FileExtent{options.opening_bytes} : FileExtent{});
     refuse_drawing(path, found);
     if (2 * found.commas > found.text) refuse_commas(path.string(), found);
     if (found.claimed == 0) refuse_unknown(path.string(), found);

@@ -231,7 +231,9 @@ std::vector<TourFinding> Procesador::findings() const {
 void Procesador::look_ahead() {
     if (looked_ahead_) return;
     // By a reader of its own: what this one's odometry sequence loses belongs to that sequence.
-    Procesador ahead(fuente_->opening(), without_look_ahead(options_));
+    ReadOptions of_opening = without_look_ahead(options_);
+    of_opening.opening_bytes = 0;
+    Procesador ahead(fuente_->opening(), of_opening);
     const std::optional<Odometria> first = ahead.next_odometry();
     if (first) odometry_begin_s_ = first->time_s;
     only_poses_ = ahead.only_poses_;
@@ -250,6 +252,8 @@ bool Procesador::is_early(const Scan& scan) {
 }
 
 std::optional<Odometria> Procesador::next_odometry() {
+    // Live, who has none at first has none: it would be waited for to the tour's end.
+    if (options_.opening_bytes > 0 && !has_odometry()) return std::nullopt;
     for (;;) {
         const std::optional<RawLine> line = fuente_->read_odometry_line();
         collect_damage();

@@ -101,6 +101,12 @@ TEST_F(LiveRunTest, OfWhatCannotBeFollowedSaysSo) {
     EXPECT_THAT(refused("ws://127.0.0.1:1 --follow"), HasSubstr("cannot be connected to"));
     EXPECT_THAT(refused("wss://robot --follow"), HasSubstr("tunnel"));
     EXPECT_THAT(refused(log_ + " --poses " + path("p.csv")), HasSubstr("--follow"));
+    EXPECT_THAT(refused(whole_ + " --follow --config - < " + config_), HasSubstr("from a file"));
+    const std::string before = content(whole_);
+    EXPECT_THAT(refused("- --follow --poses " + whole_ + " --reference-trajectory " + whole_ +
+                        " < " + whole_),
+                testing::Not(testing::IsEmpty()));
+    EXPECT_EQ(content(whole_), before);
     EXPECT_FALSE(std::filesystem::exists(path("x")));
 }
 
@@ -121,6 +127,7 @@ TEST_F(LiveRunTest, OfARobotIsThatOfItsRecording) {
               path("port") + ") --follow --patience 0 --out " + path("a"));
     ASSERT_EQ(run.status, 0) << run.output;
     EXPECT_THAT(run.output, HasSubstr("receives /scan"));
+    EXPECT_THAT(run.output, HasSubstr("the tour ends here"));
     expect_again("a.received.mcap", "a");
     const Outcome read = shell(cli_ + " run " + recording + " --out " + path("b"));
     ASSERT_EQ(read.status, 0) << read.output;

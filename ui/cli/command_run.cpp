@@ -118,7 +118,7 @@ void check_outputs(const RunOptions& options, std::vector<std::filesystem::path>
          {options.reference, options.reference_trajectory, options.distances}) {
         inputs.emplace_back(file);
     }
-    const std::array<Path, 2> beside{options.figures, options.hashes};
+    const std::array<Path, 3> beside{options.figures, options.hashes, options.live.poses};
     check_apart(beside, inputs);
     std::error_code ignored;
     for (const Path& file : inputs) {
@@ -197,6 +197,10 @@ void run(const RunOptions& options) {
     std::optional<LiveRun> live;
     ReadOptions opening;
     if (options.live.follow) {
+        if (options.configuration.file == "-" || options.configuration.file == "/dev/stdin") {
+            throw ConfigError("--config", verbatim("found \"-\"; with --follow a configuration "
+                                                   "comes from a file"));
+        }
         SourceParams wanted = load(options.configuration, {}).source;
         options.source.choose(wanted);
         live.emplace(options.live, options.log, options.out, options.replace);
@@ -222,6 +226,7 @@ void run(const RunOptions& options) {
         references.distances = read_distances(input_named(options.distances, "--distances"));
     const std::vector<std::filesystem::path> tour = tour_files(configuration.source);
     check_outputs(options, tour);
+    if (live) live->open_poses();
     std::unique_ptr<StagedFolder> folder(new StagedFolder(results_folder(options.out)));
     if (!options.replace) refuse_another_run(options.out, configuration);
     check_file(options.figures);  // which may be in that folder
@@ -231,7 +236,8 @@ void run(const RunOptions& options) {
     if (live) std::erase(watched, std::filesystem::path(source));  // it changes all the time
     LogWatch log(watched);
     std::unique_ptr<TourReader> reader = open_tour(configuration);
-    if (references.trajectory)
+    // Of a tour that is still to come nothing can be said.
+    if (references.trajectory && !live)
         fit_of_reference(*reader, *references.trajectory, references.tolerance_s);
     add_truth(references, reader->truth());
     AlgoritmoOptions run_options;
@@ -272,6 +278,7 @@ void run(const RunOptions& options) {
             progress.steps, progress.fraction,
             plural(progress.lines + progress.corners, "landmark") + (live ? live->behind() : ""));
     }
+    if (live) live->tell_news(line);
     if (progress.state == Progress::State::failed) throw Error(progress.error);
     if (serve) serve->look_at_end(worker);
     // Of the last scans of all nobody would know.

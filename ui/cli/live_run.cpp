@@ -9,6 +9,7 @@
 #include <cmath>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "damage.hpp"
@@ -92,28 +93,32 @@ LiveRun::LiveRun(const LiveOptions& options, const std::string& log, const std::
     if (server || is_standard_input(log)) {
         const fs::path name =
             options.received.empty() ? name_beside(out) : fs::path(options.received);
-        for (const char* ending : {".log", ".mcap"}) {
-            const fs::path former = fs::path(name) += ending;
-            std::error_code ignored;
-            if (!fs::exists(former, ignored)) continue;
-            if (!replace) {
-                throw FileError(former, verbatim("is what another run received; say --replace to "
-                                                 "receive in its place, or another name with "
-                                                 "--received"));
-            }
-            fs::remove(former, ignored);
-        }
-        source_ = server ? LiveSource::of_server(
-                               log, name, std::chrono::seconds(std::llround(options.patience_s)))
-                         : LiveSource::of_pipe(STDIN_FILENO, name, goes_on);
+        source_ =
+            server ? LiveSource::of_server(log, name, replace,
+                                           std::chrono::seconds(std::llround(options.patience_s)))
+                   : LiveSource::of_pipe(STDIN_FILENO, name, replace, goes_on);
         if (source_) fmt::print(stderr, "received: {}\n", on_one_line(file()));
     } else {
         source_ = std::make_unique<LiveSource>(fs::path(log));
     }
-    if (options.poses.empty()) return;
-    poses_ = std::fopen(options.poses.c_str(), "we");
+    if (!source_) return;
+    // Whatever waits for more is to hear it, also before there is a run.
+    watch_ = std::jthread([this](const std::stop_token& stop) {
+        while (!stop.stop_requested()) {
+            if (StopByRequest::wanted()) {
+                source_->end();
+                return;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        }
+    });
+}
+
+void LiveRun::open_poses() {
+    if (options_.poses.empty()) return;
+    poses_ = std::fopen(options_.poses.c_str(), "we");
     if (poses_ == nullptr) {
-        throw FileError(options.poses,
+        throw FileError(options_.poses,
                         verbatim("cannot be written: " + std::generic_category().message(errno)));
     }
     fmt::print(poses_, "time_s,x_m,y_m,theta_rad,xx,xy,xtheta,yy,ytheta,thetatheta,latency_s\n");
@@ -138,6 +143,7 @@ bool LiveRun::wait_for_opening(SourceParams& source) {
             line.show(now.scans, std::nullopt, fmt::format("of {} awaited", options_.opening));
             return !StopByRequest::wanted();
         });
+    tell_news(line);
     if (!opening) return false;
     source.file = file();
     source.read.opening_bytes = std::max<std::uint64_t>(opening->bytes, 1);
@@ -175,7 +181,6 @@ void LiveRun::look(RunWorker& worker, ProgressLine& line) {
     tell_news(line);
     if (StopByRequest::wanted() && !std::exchange(asked_, true)) {
         line.say("the tour ends here; once more to stop at once");
-        source_->end();
     }
     const std::uint64_t steps = worker.progress().steps;
     constexpr std::uint64_t kFirst = 100;

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,10 @@ class LiveRun {
     /// the program was asked to end before. Throws what open_log() throws.
     bool wait_for_opening(SourceParams& source);
 
+    /// Throws FileError. Not before it is known to be none of what is read.
+    void open_poses();
+    /// What a connection has to say of itself.
+    void tell_news(ProgressLine& line);
     /// Of every step, by the worker's thread.
     void note(const Algoritmo& run);
     /// By the program's thread, over and over: ends what comes where the program was asked to, and
@@ -71,7 +76,6 @@ class LiveRun {
     void put_pose(const Algoritmo& run, std::optional<double> latency_s);
     /// What there is to doubt is found out by: both as they were at that moment.
     using Evidence = std::pair<std::optional<TourExamination>, std::vector<TourFinding>>;
-    void tell_news(ProgressLine& line);
     void tell_doubts(Evidence evidence, ProgressLine& line);
 
     LiveOptions options_;
@@ -85,6 +89,7 @@ class LiveRun {
     std::future<Evidence> doubting_;
     std::vector<TourFinding::Kind> told_;
     bool poses_lost_ = false;
+    std::jthread watch_;  // last: it uses the source
 };
 
 }  // namespace hitos::cli

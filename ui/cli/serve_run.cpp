@@ -95,6 +95,7 @@ void ServeRun::look(RunWorker& worker, std::optional<double> behind_s) {
 }
 
 void ServeRun::look_at_end(RunWorker& worker) {
+    if (server_->clients() == 0) return;
     worker.request_snapshot();
     worker.wait();
     server_->show(worker.latest_snapshot(), std::nullopt);

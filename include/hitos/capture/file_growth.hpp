@@ -41,6 +41,8 @@ class FileGrowth {
 
     /// A reader is about to hand out a scan, which ends with that byte.
     void note_taken(std::uint64_t bytes);
+    /// A reader has come so far, whatever it found there.
+    void note_passed(std::uint64_t bytes);
     /// When the last byte of that scan came; nothing before the first, and where it was in the file
     /// already.
     std::optional<Clock::time_point> taken_came() const;
@@ -64,6 +66,7 @@ class FileGrowth {
     mutable std::condition_variable more_;
     std::uint64_t size_ = 0;
     std::uint64_t taken_ = 0;
+    std::uint64_t passed_ = 0;
     bool ended_ = false;
     std::optional<FileError> problem_;
     std::deque<Arrival> arrivals_;  // of what is not taken yet, and the one before

@@ -38,16 +38,16 @@ class LiveSource {
     /// Keeps all that comes through the descriptor, which is not closed, in a new file: `name` with
     /// the ending .mcap where that is what comes, else .log. It is over where the other end closes.
     /// Waits for the first byte. Null where that never comes. Throws FileError where the file is
-    /// there already or cannot be written.
+    /// there already, unless it is to be replaced, or cannot be written.
     static std::unique_ptr<LiveSource> of_pipe(int descriptor, const std::filesystem::path& name,
-                                               const GoesOn& goes_on);
+                                               bool replace, const GoesOn& goes_on);
     /// Keeps what a server of the Foxglove WebSocket protocol ("ws://HOST:PORT") tells of lasers,
     /// odometry and transforms in a new file, `name` with the ending .mcap. A connection that is
     /// lost is looked for again for as long as `patience` goes; then the tour is over. Throws
     /// ConfigError where the address is none, FileError where nobody answers there, somebody who
     /// does not speak the protocol, or the file is there already or cannot be written.
     static std::unique_ptr<LiveSource> of_server(const std::string& url,
-                                                 const std::filesystem::path& name,
+                                                 const std::filesystem::path& name, bool replace,
                                                  std::chrono::seconds patience);
     ~LiveSource();
     LiveSource(const LiveSource&) = delete;
@@ -86,6 +86,7 @@ class LiveSource {
 
     std::filesystem::path file_;
     std::shared_ptr<FileGrowth> growth_;
+    std::mutex ending_;
     mutable std::mutex mutex_;
     std::optional<FileError> problem_;
     std::vector<Message> news_;

@@ -121,6 +121,7 @@ std::optional<FileError> FileGrowth::problem() const {
 void FileGrowth::note_taken(std::uint64_t bytes) {
     const std::scoped_lock lock(mutex_);
     taken_ = std::max(taken_, bytes);
+    passed_ = std::max(passed_, bytes);
     while (!arrivals_.empty() && arrivals_.front().bytes < taken_) arrivals_.pop_front();
 }
 
@@ -132,7 +133,12 @@ std::optional<FileGrowth::Clock::time_point> FileGrowth::taken_came() const {
 
 std::uint64_t FileGrowth::waiting() const {
     const std::scoped_lock lock(mutex_);
-    return size_ - std::min(size_, taken_);
+    return size_ - std::min(size_, passed_);
+}
+
+void FileGrowth::note_passed(std::uint64_t bytes) {
+    const std::scoped_lock lock(mutex_);
+    passed_ = std::max(passed_, bytes);
 }
 
 }  // namespace hitos

@@ -81,8 +81,13 @@ FoxgloveSaid foxglove_said(std::string_view text) {
     if (op == "serverInfo") {
         found.server = word(said, "name");
     } else if (op == "advertise") {
-        for (const json& told : member(said, "channels", json::value_t::array))
-            found.channels.push_back(channel_of(told));
+        for (const json& told : member(said, "channels", json::value_t::array)) {
+            try {
+                found.channels.push_back(channel_of(told));
+            } catch (const FormatError& error) {  // the others may be of use
+                found.problems.push_back(error.problem());
+            }
+        }
     } else if (op == "unadvertise") {
         for (const json& id : member(said, "channelIds", json::value_t::array))
             found.gone.push_back(number(id));

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "hitos/base/message.hpp"
 #include "live/received_mcap.hpp"
 
 namespace hitos {
@@ -23,6 +24,7 @@ struct FoxgloveChannel {
 struct FoxgloveSaid {
     std::optional<std::string> server;  ///< its name, which it tells first
     std::vector<FoxgloveChannel> channels;
+    std::vector<Message> problems;     ///< of channels that are left out
     std::vector<std::uint64_t> gone;   ///< channels that are no longer there
     std::optional<std::string> alarm;  ///< a warning or an error of the server's
 };

@@ -59,28 +59,32 @@ void FoxgloveReceiver::receive(const std::stop_token& stop, const Put& put, cons
 bool FoxgloveReceiver::connect_again(const std::stop_token& stop, const News& news) {
     using Clock = std::chrono::steady_clock;
     using namespace std::chrono_literals;
-    const Clock::time_point begin = Clock::now();
-    std::chrono::milliseconds pause = 100ms;
+    const Clock::time_point lost = Clock::now();
+    if (tries_ == 0) silent_since_ = lost;
     topics_.clear();
     subscriptions_.clear();
-    while (!stop.stop_requested()) {
-        const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    for (std::optional<Message> why; !stop.stop_requested();) {
+        // At once, then after longer and longer, also where a connection that came about said
+        // nothing.
+        const auto pause = std::min<std::chrono::milliseconds>(100ms * tries_ * tries_, 2s);
+        for (auto left = pause; left > 0ms && !stop.stop_requested(); left -= 20ms)
+            std::this_thread::sleep_for(std::min<std::chrono::milliseconds>(left, 20ms));
+        if (tries_++ > 0 && Clock::now() - silent_since_ > patience_) {
+            news(message(
+                HITOS_TEXT("Errors", "%1; it was looked for for %2 s, and the tour ends here"),
+                why.value_or(marked(HITOS_TEXT("Errors", "the server says nothing"))),
+                patience_.count()));
+            return false;
+        }
         try {
             socket_ = std::make_unique<WebSocket>(address_, url_, kProtocols);
+            const double seconds = std::chrono::duration<double>(Clock::now() - lost).count();
             news(message(HITOS_TEXT("Errors", "connected again after %1 s"),
                          std::round(10.0 * seconds) / 10.0));
             return true;
         } catch (const ConnectionError& error) {
-            if (seconds > static_cast<double>(patience_.count())) {
-                news(message(
-                    HITOS_TEXT("Errors", "%1; it was looked for for %2 s, and the tour ends here"),
-                    error.why(), patience_.count()));
-                return false;
-            }
+            why = error.why();
         }
-        for (auto left = pause; left > 0ms && !stop.stop_requested(); left -= 20ms)
-            std::this_thread::sleep_for(std::min(left, 20ms));
-        pause = std::min(2 * pause, std::chrono::milliseconds(2s));
     }
     return false;
 }
@@ -98,6 +102,7 @@ void FoxgloveReceiver::take(const WebSocket::Frame& frame, const Put& put, const
         std::string bytes;
         mcap_.put_message(bytes, topic->second, found->received_ns, found->bytes);
         put(bytes);
+        tries_ = 0;
     } catch (const FormatError& error) {
         constexpr std::uint64_t kTold = 10;
         if (++malformed_ <= kTold) news(error.problem());
@@ -114,6 +119,7 @@ void FoxgloveReceiver::take_text(std::string_view text, const Put& put, const Ne
         topics_.erase(known->second);
         subscriptions_.erase(known);
     }
+    for (const Message& problem : said.problems) news(problem);
     std::vector<std::pair<std::uint32_t, std::uint64_t>> asked;
     for (const FoxgloveChannel& channel : said.channels) {
         if (subscriptions_.contains(channel.id) || !is_wanted(channel.topic)) continue;

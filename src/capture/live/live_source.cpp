@@ -69,12 +69,19 @@ void append(int target, const std::filesystem::path& file, std::span<const char>
     }
 }
 
-/// One that was not there, to be appended to. Throws FileError.
-std::shared_ptr<const Descriptor> new_file(const std::filesystem::path& file) {
-    auto target = std::make_shared<const Descriptor>(
-        ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC,
-               S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH));
+/// To be appended to; one that was there already is emptied, or not taken. Throws FileError.
+std::shared_ptr<const Descriptor> new_file(const std::filesystem::path& file, bool replace) {
+    auto target = std::make_shared<const Descriptor>(::open(
+        file.c_str(), O_WRONLY | O_CREAT | (replace ? O_TRUNC : O_EXCL) | O_APPEND | O_CLOEXEC,
+        S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH));
     if (target->number() >= 0) return target;
+    if (errno == EEXIST) {
+        throw FileError(file.string(),
+                        HITOS_TEXT("Errors",
+                                   "is there already, and may be what another run received; say "
+                                   "--replace to receive in its place, or another name with "
+                                   "--received"));
+    }
     throw FileError(file.string(), HITOS_TEXT("Errors", "cannot be made to keep what comes in: %1"),
                     system_message(errno));
 }
@@ -106,6 +113,9 @@ LiveSource::LiveSource(const std::filesystem::path& file, Receive receive) : Liv
         } catch (const FileError& error) {
             const std::scoped_lock lock(mutex_);
             problem_ = error;
+        } catch (const std::exception& error) {
+            const std::scoped_lock lock(mutex_);
+            problem_ = FileError(file_.string(), message_of(error));
         }
         growth_->end();
     });
@@ -116,7 +126,7 @@ LiveSource::~LiveSource() {
 }
 
 std::unique_ptr<LiveSource> LiveSource::of_pipe(int descriptor, const std::filesystem::path& name,
-                                                const GoesOn& goes_on) {
+                                                bool replace, const GoesOn& goes_on) {
     std::string first;
     while (first.size() < kMcapMagic.size()) {
         std::array<char, kInputBytes> block{};
@@ -132,7 +142,7 @@ std::unique_ptr<LiveSource> LiveSource::of_pipe(int descriptor, const std::files
     }
     std::filesystem::path file = name;
     file += begins_mcap(first) ? ".mcap" : ".log";
-    const auto target = new_file(file);
+    const auto target = new_file(file, replace);
     const auto receive = [=](const std::stop_token& stop, LiveSource&) {
         append(target->number(), file, first);
         std::array<char, kInputBytes> block{};
@@ -146,12 +156,12 @@ std::unique_ptr<LiveSource> LiveSource::of_pipe(int descriptor, const std::files
 }
 
 std::unique_ptr<LiveSource> LiveSource::of_server(const std::string& url,
-                                                  const std::filesystem::path& name,
+                                                  const std::filesystem::path& name, bool replace,
                                                   std::chrono::seconds patience) {
     const auto receiver = std::make_shared<FoxgloveReceiver>(url, patience);
     std::filesystem::path file = name;
     file += ".mcap";
-    const auto target = new_file(file);
+    const auto target = new_file(file, replace);
     const auto receive = [=](const std::stop_token& stop, LiveSource& source) {
         receiver->receive(
             stop, [&](std::string_view bytes) { append(target->number(), file, bytes); },
@@ -169,6 +179,7 @@ std::vector<Message> LiveSource::take_news() {
 }
 
 void LiveSource::end() {
+    const std::scoped_lock lock(ending_);
     if (receiver_.joinable()) {
         receiver_.request_stop();
         receiver_.join();
@@ -210,6 +221,10 @@ std::optional<LiveSource::Opening> LiveSource::wait_for_opening(
             } catch (const FormatError& error) {
                 if (over) throw;  // else more may make sense of it
                 opening.problem = error.problem();
+            } catch (const ConfigError& error) {
+                // A topic that was asked for may not have spoken yet.
+                if (over || (error.key() != kScanTopicKey && error.key() != kOdomTopicKey)) throw;
+                opening.problem = error.message();
             }
             if (over || opening.scans >= scans) return opening;
         }

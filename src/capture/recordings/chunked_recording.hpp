@@ -44,6 +44,7 @@ class ChunkedRecording : public Recording {
     const FileBytes& file() const { return file_; }
     /// Whether it is read as long as it is being written.
     bool grows() const { return grows_; }
+    bool is_followed() const { return file_.extent().growth != nullptr; }
 
   private:
     struct Chunk;

@@ -32,8 +32,7 @@ class Mcap final : public ChunkedRecording {
                               HITOS_TEXT("Errors", "does not begin as MCAP does"));
         }
         if (grows() || file().size() < 2 * kMcapMagic.size()) return;
-        const std::string_view last{magic.data(), file().read_end(magic)};
-        closed_ = last == kMcapMagic;
+        closed_ = ends_as_mcap();
     }
 
   protected:
@@ -64,17 +63,11 @@ class Mcap final : public ChunkedRecording {
                 read_chunk(record);
                 return Step::passed;
             default:
-                if (outside && op == McapOp::footer && grows()) {
-                    record.finish();
-                    std::array<char, kMcapMagic.size()> last{};
-                    closed_ = from.read(last) == last.size() &&
-                              std::string_view(last.data(), last.size()) == kMcapMagic;
+                // What follows repeats what was told before.
+                if (outside && (op == McapOp::data_end || op == McapOp::footer)) {
+                    if (grows()) wait_for_end(op, from, record);
                     return Step::end;
                 }
-                // What follows repeats what was told before; of a file that is being written it is
-                // read, to know its end.
-                if (outside && (op == McapOp::data_end || op == McapOp::footer) && !grows())
-                    return Step::end;
                 break;  // indexes, attachments, metadata, and what later versions add
         }
         record.finish();
@@ -82,7 +75,7 @@ class Mcap final : public ChunkedRecording {
     }
 
     Message problem_at_end() override {
-        if (closed_) return {};
+        if (closed_ || (is_followed() && ends_as_mcap())) return {};
         return message(HITOS_TEXT("Errors",
                                   "the recording was not closed or is cut off, as its last bytes "
                                   "are not MCAP's; all before byte %1 was read"),
@@ -90,6 +83,25 @@ class Mcap final : public ChunkedRecording {
     }
 
   private:
+    bool ends_as_mcap() const {
+        std::array<char, kMcapMagic.size()> last{};
+        const std::size_t got = file().read_end(last);
+        return std::string_view(last.data(), got) == kMcapMagic;
+    }
+
+    /// Passes over what is being written behind the messages.
+    static void wait_for_end(McapOp op, Section& from, Section& record) {
+        try {
+            record.finish();
+            while (op != McapOp::footer) {
+                op = static_cast<McapOp>(from.take_u8());
+                from.section(from.take_u64()).finish();
+            }
+            from.section(kMcapMagic.size()).finish();
+        } catch (const FormatError&) {  // it ended before that
+        }
+    }
+
     static std::string take_word(Section& record) {
         const std::uint32_t length = record.take_u32();
         return record.take_text(length, kLongestWord);

@@ -69,6 +69,8 @@ RecordingSource::RecordingSource(std::shared_ptr<const RecordingPlan> plan, Part
                                                     : FileExtent{.growth = options.growth};
     scans_ = std::make_unique<Cursor>(*plan_, extent, is_any);
     odometry_ = std::make_unique<Cursor>(*plan_, extent, is_reading);
+    // Where there is none, nobody waits for any.
+    odometry_->ended = topics.odometry.empty() && topics.odometry_frame.empty();
 }
 
 RecordingSource::~RecordingSource() = default;
@@ -84,8 +86,11 @@ std::unique_ptr<Fuente> RecordingSource::opening() const {
 
 std::optional<RecordedMessage> RecordingSource::next(Cursor& cursor) {
     std::optional<RecordedMessage> found = cursor.recording->next();
-    if (found && part_ == Part::whole && plan_->options.growth && &cursor == scans_.get())
-        plan_->options.growth->note_taken(cursor.recording->position());
+    const std::shared_ptr<FileGrowth>& growth = plan_->options.growth;
+    if (!found || part_ != Part::whole || growth == nullptr || &cursor != scans_.get())
+        return found;
+    if (is_laser(*found->topic)) growth->note_taken(cursor.recording->position());
+    growth->note_passed(cursor.recording->position());
     return found;
 }
 

@@ -290,10 +290,10 @@ class LiveServer::Impl final : public live::Stage {
         ending_ = true;
         Code ignored;
         acceptor_.close(ignored);
+        farewell_.expires_after(kFarewell);  // first, whatever fails
+        farewell_.async_wait([this](Code) { context_.stop(); });
         take_next();
         look_at_grid();
-        farewell_.expires_after(kFarewell);
-        farewell_.async_wait([this](Code) { context_.stop(); });
         const std::vector<std::shared_ptr<live::Client>> all = clients_;
         for (const auto& client : all) client->end();
         if (clients_.empty()) context_.stop();

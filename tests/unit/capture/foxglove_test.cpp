@@ -71,8 +71,6 @@ TEST(FoxgloveFrames, ThatAreNoneAreRefused) {
     for (const std::string& text :
          {std::string(), std::string("{"), std::string("[]"), std::string("3"), deep,
           std::string(R"({"op":7})"), std::string(R"({"op":"advertise"})"),
-          std::string(R"({"op":"advertise","channels":[3]})"),
-          std::string(R"({"op":"advertise","channels":[{"id":-1,"topic":"a"}]})"),
           std::string(R"({"op":"unadvertise","channelIds":["a"]})"),
           std::string(R"({"op":"status","level":"x"})"),
           "{\"op\":\"" + std::string(5000, 'a') + "\"}", std::string("{\"op\":\"\xff\"}")}) {
@@ -81,6 +79,20 @@ TEST(FoxgloveFrames, ThatAreNoneAreRefused) {
     EXPECT_THROW(foxglove_message(""), FormatError);
     for (std::size_t size = 1; size < 13; ++size) {
         EXPECT_THROW(foxglove_message(data_frame(1, 2, "x").substr(0, size)), FormatError) << size;
+    }
+}
+
+TEST(FoxgloveFrames, LeaveOutAChannelThatIsNoneAndKeepTheOthers) {
+    const std::string scan =
+        R"({"id":3,"topic":"/scan","encoding":"cdr","schemaName":"sensor_msgs/msg/LaserScan","schema":""})";
+    for (const std::string& bad :
+         {std::string("3"), std::string(R"({"id":-1,"topic":"a"})"),
+          R"({"id":4,"topic":"/a","encoding":"cdr","schemaName":"a","schema":")" +
+              std::string((1 << 20) + 1, 'x') + "\"}"}) {
+        const FoxgloveSaid said =
+            foxglove_said(R"({"op":"advertise","channels":[)" + bad + "," + scan + "]}");
+        EXPECT_EQ(said.channels.size(), 1U) << bad.substr(0, 60);
+        EXPECT_EQ(said.problems.size(), 1U) << bad.substr(0, 60);
     }
 }
 
@@ -278,6 +290,18 @@ TEST(FoxgloveReceiver, LosesNothingThatCameInAHundredDisconnections) {
     ASSERT_EQ(messages.size(), said);
     for (std::size_t i = 0; i < messages.size(); ++i) EXPECT_EQ(messages[i].log_time_ns, i + 1);
     EXPECT_GE(server.connections(), 101);
+}
+
+/// Whoever takes connections and drops them does not keep anybody busy, nor for ever.
+TEST(FoxgloveReceiver, GivesUpOnAServerThatNeverSaysAnything) {
+    const Server server({[](Server::Socket& stream) { stream.accept(); }});
+    FoxgloveReceiver receiver(server.url(), std::chrono::seconds(1));
+    std::vector<std::string> news;
+    receiver.receive(
+        std::stop_token(), [](std::string_view) {},
+        [&](const Message& told) { news.push_back(told.english()); });
+    EXPECT_THAT(news.back(), HasSubstr("the tour ends here"));
+    EXPECT_LT(server.connections(), 30);
 }
 
 TEST(FoxgloveReceiver, SaysWhyThereIsNoConnection) {

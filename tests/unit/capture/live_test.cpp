@@ -260,7 +260,8 @@ TEST(LiveSource, KeepsAllThatComesThroughAPipe) {
             pipe.write(content);
             pipe.close_writer();
         });
-        const auto source = LiveSource::of_pipe(pipe.ends[0], folder / "kept", [] { return true; });
+        const auto source =
+            LiveSource::of_pipe(pipe.ends[0], folder / "kept", false, [] { return true; });
         ASSERT_TRUE(source);
         EXPECT_EQ(source->file(), folder / (std::string("kept") + ending));
         while (source->growth()->wait_beyond(source->growth()->size())) {
@@ -276,11 +277,12 @@ TEST(LiveSource, TakesNoFileThatIsThereAndWaitsForNothingWhenAskedNotTo) {
     folder.put("kept.log", "mine");
     Pipe pipe;
     pipe.write("ODOM 1 2 3 4 5 6\n");
-    EXPECT_THROW(LiveSource::of_pipe(pipe.ends[0], folder / "kept", [] { return true; }),
+    EXPECT_THROW(LiveSource::of_pipe(pipe.ends[0], folder / "kept", false, [] { return true; }),
                  FileError);
     EXPECT_EQ(test::content(folder / "kept.log"), "mine");
     const Pipe silent;
-    EXPECT_EQ(LiveSource::of_pipe(silent.ends[0], folder / "b", [] { return false; }), nullptr);
+    EXPECT_EQ(LiveSource::of_pipe(silent.ends[0], folder / "b", false, [] { return false; }),
+              nullptr);
 }
 
 TEST(LiveSource, OpensWhenSoManyScansHaveCome) {

@@ -3326,6 +3326,14 @@
         <source>nothing can be served at %1: there is no host of this name; 127.0.0.1 is this machine for itself alone, 0.0.0.0 for all that reach it</source>
         <translation>no se puede servir nada en %1: no hay ninguna máquina con este nombre; 127.0.0.1 es esta máquina para ella sola, 0.0.0.0 para todos los que la alcancen</translation>
     </message>
+    <message>
+        <source>the server says nothing</source>
+        <translation>el servidor no dice nada</translation>
+    </message>
+    <message>
+        <source>is there already, and may be what another run received; say --replace to receive in its place, or another name with --received</source>
+        <translation>ya está ahí, y puede ser lo que recibió otra ejecución; diga --replace para recibir en su lugar, u otro nombre con --received</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
