@@ -29,8 +29,8 @@ struct RecordingSurvey {
     Message first_problem;  ///< why some of it could not be read; empty where all could
 };
 
-/// Reads through the recording, or so much of it, once. What is damaged is left out; who reads the tour is told all of
-/// it.
+/// Reads through the recording, or so much of it, once. What is damaged is left out; who reads the
+/// tour is told all of it.
 RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecording* open,
                                  const FileExtent& extent = {});
 

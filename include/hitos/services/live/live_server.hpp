@@ -17,6 +17,7 @@ namespace hitos {
 /// Serves on a thread of its own. Every member may be called from any thread.
 class LiveServer {
   public:
+    /// Where it listens; port 0 is any that is free.
     struct Address {
         std::string host = "127.0.0.1";  ///< a name or an address of this machine
         std::uint16_t port = 0;          ///< 0: any free one

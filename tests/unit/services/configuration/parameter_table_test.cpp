@@ -45,7 +45,7 @@ TEST(ParameterTable, KeysAreUniqueAndHaveOneDot) {
         EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
         EXPECT_EQ(std::ranges::count(parameter.key, '.'), 1) << parameter.key;
     }
-    EXPECT_EQ(keys.size(), 115U);
+    EXPECT_EQ(keys.size(), 116U);
 }
 
 TEST(ParameterTable, GroupsAndTablesStandTogether) {
