@@ -175,13 +175,12 @@ void LiveRun::put_pose(const Algoritmo& run, std::optional<double> latency_s) {
 
 void LiveRun::tell_news(ProgressLine& line) {
     for (const Message& news : source_->take_news()) line.say(news.english());
+    if (StopByRequest::wanted() && !std::exchange(asked_, true))
+        line.say("the tour ends here; once more to stop at once");
 }
 
 void LiveRun::look(RunWorker& worker, ProgressLine& line) {
     tell_news(line);
-    if (StopByRequest::wanted() && !std::exchange(asked_, true)) {
-        line.say("the tour ends here; once more to stop at once");
-    }
     const std::uint64_t steps = worker.progress().steps;
     constexpr std::uint64_t kFirst = 100;
     if (!doubting_.valid() && steps >= std::max(kFirst, 2 * doubted_at_)) {

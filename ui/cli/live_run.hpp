@@ -58,8 +58,7 @@ class LiveRun {
     void tell_news(ProgressLine& line);
     /// Of every step, by the worker's thread.
     void note(const Algoritmo& run);
-    /// By the program's thread, over and over: ends what comes where the program was asked to, and
-    /// says what is to doubt as soon as it shows.
+    /// By the program's thread, over and over: says what is to doubt as soon as it shows.
     void look(RunWorker& worker, ProgressLine& line);
     /// How far the run is behind what comes; nothing where no scan of what comes was taken yet.
     std::optional<double> behind_s() const;
