@@ -88,6 +88,33 @@ TEST_F(LiveRunTest, ThatIsKilledLeavesWhatCame) {
     EXPECT_EQ(later.status, 0) << later.output;
 }
 
+/// Nobody is waited for but the robot.
+TEST_F(LiveRunTest, DoesNotWaitForAReaderOfItsPosesNorLosesThemSilently) {
+    const std::string run = cli_ + " run - --follow --out " + path("a") + " --poses ";
+    const Outcome nobody =
+        shell("mkfifo " + path("pipe") + "; cat " + whole_ + " | timeout 60 " + run + path("pipe"));
+    EXPECT_EQ(nobody.status, 0) << nobody.output;
+    const Outcome full =
+        shell("cat " + whole_ + " | " + run + "/dev/full --strict --json --replace");
+    EXPECT_EQ(full.status, 2) << full.output;
+    EXPECT_THAT(full.output, HasSubstr("not written: /dev/full: No space left"));
+    EXPECT_THAT(full.output, HasSubstr("\"file\": \"/dev/full\""));
+}
+
+TEST_F(LiveRunTest, OfAFileThatIsReplacedSaysSo) {
+    const std::string g = path("g.log");
+    const Outcome run =
+        shell("cp " + whole_ + " " + g + "; " + cli_ + " run " + g + " --follow --poses " +
+              path("poses.csv") + " --out " + path("a") + " > " + path("said") +
+              " 2>&1 & run=$!; until [ $(cat " + path("poses.csv") +
+              " 2>/dev/null | wc -l) -ge 50 ]; do sleep 0.05; kill -0 $run || exit 9; done; cp " +
+              whole_ + " " + path("other") + "; mv " + path("other") + " " + g +
+              "; until grep -q replaced " + path("said") +
+              "; do sleep 0.05; kill -0 $run || exit 8; done; kill -TERM $run; wait $run");
+    EXPECT_EQ(run.status, 1) << content(path("said"));
+    EXPECT_TRUE(std::filesystem::exists(path("a/summary.json")));
+}
+
 TEST_F(LiveRunTest, OfWhatCannotBeFollowedSaysSo) {
     const auto refused = [&](const std::string& words) {
         const Outcome run = shell("timeout 60 " + cli_ + " run " + words + " --out " + path("x"));

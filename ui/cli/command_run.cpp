@@ -201,6 +201,7 @@ void run(const RunOptions& options) {
             throw ConfigError("--config", verbatim("found \"-\"; with --follow a configuration "
                                                    "comes from a file"));
         }
+        const StagedFolder probe(results_folder(options.out));  // before anything is waited for
         SourceParams wanted = load(options.configuration, {}).source;
         options.source.choose(wanted);
         live.emplace(options.live, options.log, options.out, options.replace);
@@ -348,6 +349,12 @@ void run(const RunOptions& options) {
                       references.tolerance_s);
     });
     beside(options.hashes, [&] { write_file(options.hashes, hashes.csv()); });
+    if (live && live->poses_problem()) {
+        report.warn("not written: " + *live->poses_problem());
+        report.object()["not_written"].push_back(
+            {{"file", options.live.poses}, {"reason", *live->poses_problem()}});
+        whole = false;
+    }
     report.end();
     if (log.changed()) throw Error(verbatim(log.words(progress.steps)));
     if (live && live->problem()) throw FileError(*live->problem());

@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 #include <string_view>
-#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -116,17 +115,12 @@ LiveRun::LiveRun(const LiveOptions& options, const std::string& log, const std::
 
 void LiveRun::open_poses() {
     if (options_.poses.empty()) return;
-    poses_ = std::fopen(options_.poses.c_str(), "we");
-    if (poses_ == nullptr) {
-        throw FileError(options_.poses,
-                        verbatim("cannot be written: " + std::generic_category().message(errno)));
-    }
-    fmt::print(poses_, "time_s,x_m,y_m,theta_rad,xx,xy,xtheta,yy,ytheta,thetatheta,latency_s\n");
+    poses_.emplace(options_.poses);
+    poses_->put("time_s,x_m,y_m,theta_rad,xx,xy,xtheta,yy,ytheta,thetatheta,latency_s\n");
 }
 
 LiveRun::~LiveRun() {
     end();
-    if (poses_ != nullptr) std::fclose(poses_);
 }
 
 bool LiveRun::wait_for_opening(SourceParams& source) {
@@ -141,7 +135,7 @@ bool LiveRun::wait_for_opening(SourceParams& source) {
             if (problem.empty() || problem == told) since_s = line.seconds();
             if (line.seconds() - since_s > kPatience) line.say(told = problem);
             line.show(now.scans, std::nullopt, fmt::format("of {} awaited", options_.opening));
-            return !StopByRequest::wanted();
+            return now.scans > 0 || !StopByRequest::wanted();
         });
     tell_news(line);
     if (!opening) return false;
@@ -160,21 +154,28 @@ void LiveRun::note(const Algoritmo& run) {
         const std::scoped_lock lock(mutex_);
         latencies_s_.push_back(static_cast<float>(*latency_s));
     }
-    if (poses_ != nullptr) put_pose(run, latency_s);
+    if (poses_) put_pose(run, latency_s);
 }
 
 void LiveRun::put_pose(const Algoritmo& run, std::optional<double> latency_s) {
     const StampedPose& now = run.online_trajectory().back();
     const Eigen::Matrix3d c = run.filter().pose_covariance();
-    fmt::print(poses_, "{:.6f},{:.6f},{:.6f},{:.8f},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},",
-               now.time_s, now.pose.x, now.pose.y, now.pose.theta, c(0, 0), c(0, 1), c(0, 2),
-               c(1, 1), c(1, 2), c(2, 2));
-    fmt::print(poses_, "{}\n", latency_s ? fmt::format("{:.6f}", *latency_s) : "");
-    poses_lost_ = std::fflush(poses_) != 0 || poses_lost_;
+    poses_->put(
+        fmt::format("{:.6f},{:.6f},{:.6f},{:.8f},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{}\n",
+                    now.time_s, now.pose.x, now.pose.y, now.pose.theta, c(0, 0), c(0, 1), c(0, 2),
+                    c(1, 1), c(1, 2), c(2, 2), latency_s ? fmt::format("{:.6f}", *latency_s) : ""));
+    if (poses_->problem().empty() || poses_lost_) return;
+    poses_lost_ = true;
+    const std::scoped_lock lock(mutex_);
+    poses_problem_ = fmt::format("{}: {}", on_one_line(options_.poses), poses_->problem());
 }
 
 void LiveRun::tell_news(ProgressLine& line) {
     for (const Message& news : source_->take_news()) line.say(news.english());
+    if (const auto problem = source_->problem(); problem && !std::exchange(told_problem_, true))
+        line.say(problem->what());
+    if (const auto problem = poses_problem(); problem && !std::exchange(told_poses_, true))
+        line.say("not written: " + *problem);
     if (StopByRequest::wanted() && !std::exchange(asked_, true))
         line.say("the tour ends here; once more to stop at once");
 }
@@ -213,6 +214,11 @@ std::optional<double> LiveRun::behind_s() const {
     return std::chrono::duration<double>(FileGrowth::Clock::now() - *came).count();
 }
 
+std::optional<std::string> LiveRun::poses_problem() const {
+    const std::scoped_lock lock(mutex_);
+    return poses_problem_;
+}
+
 std::string LiveRun::behind() const {
     constexpr double kWorthSaying = 1.0;  // [s]
     const double seconds = behind_s().value_or(0.0);
@@ -222,7 +228,6 @@ std::string LiveRun::behind() const {
 void LiveRun::tell(Report& report) const {
     const std::scoped_lock lock(mutex_);
     report.object()["received"] = file();
-    if (poses_lost_) report.warn("not all poses could be written");
     if (latencies_s_.empty()) return;
     const double median_s = quantile_of(latencies_s_, 0.5);
     const double most_s = quantile_of(latencies_s_, 0.99);

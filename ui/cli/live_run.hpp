@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <future>
 #include <memory>
@@ -20,6 +19,7 @@
 #include "hitos/capture/tour_finding.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/run/run_worker.hpp"
+#include "pose_lines.hpp"
 #include "progress_line.hpp"
 #include "report.hpp"
 
@@ -67,6 +67,8 @@ class LiveRun {
     void tell(Report& report) const;
     /// Why the tour ended before its time; nothing where it did not.
     std::optional<FileError> problem() const { return source_->problem(); }
+    /// Why not all poses were written; nothing where they were.
+    std::optional<std::string> poses_problem() const;
     void end() {
         if (source_) source_->end();
     }
@@ -79,7 +81,7 @@ class LiveRun {
 
     LiveOptions options_;
     std::unique_ptr<LiveSource> source_;
-    std::FILE* poses_ = nullptr;
+    std::optional<PoseLines> poses_;
     mutable std::mutex mutex_;
     std::vector<float> latencies_s_;  ///< of scans that came while it ran
     std::uint64_t steps_ = 0;
@@ -88,6 +90,9 @@ class LiveRun {
     std::future<Evidence> doubting_;
     std::vector<TourFinding::Kind> told_;
     bool poses_lost_ = false;
+    std::optional<std::string> poses_problem_;
+    bool told_poses_ = false;
+    bool told_problem_ = false;
     std::jthread watch_;  // last: it uses the source
 };
 

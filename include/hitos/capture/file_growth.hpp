@@ -35,8 +35,8 @@ class FileGrowth {
     bool ended() const;
     /// How many bytes it has; once it is over, those with which it ended, whatever comes later.
     std::uint64_t size() const;
-    /// Why it was over before its time: it became shorter while it was read. Nothing where it was
-    /// not.
+    /// Why what was read is not what is there: it became shorter, or its name leads elsewhere.
+    /// Nothing where all is well.
     std::optional<FileError> problem() const;
 
     /// A reader is about to hand out a scan, which ends with that byte.

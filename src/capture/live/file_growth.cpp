@@ -67,6 +67,16 @@ void FileGrowth::watch(const std::stop_token& stop) {
 void FileGrowth::look() {
     struct stat status {};
     if (ended_ || ::fstat(descriptor_, &status) != 0) return;
+    struct stat named {};
+    const bool there = ::stat(path_.c_str(), &named) == 0;
+    const bool same = there && named.st_dev == status.st_dev && named.st_ino == status.st_ino;
+    if (!same && !problem_) {
+        problem_ = FileError(path_.string(),
+                             HITOS_TEXT("Errors",
+                                        "has been renamed, removed or replaced while it was "
+                                        "followed; what was opened first is what counts, and is "
+                                        "not under this name any more"));
+    }
     const auto size = static_cast<std::uint64_t>(status.st_size);
     if (size == size_) return;
     if (size < size_) {

@@ -121,7 +121,12 @@ void FoxgloveReceiver::take_text(std::string_view text, const Put& put, const Ne
     }
     for (const Message& problem : said.problems) news(problem);
     std::vector<std::pair<std::uint32_t, std::uint64_t>> asked;
+    bool laser = false;
+    std::string offered;
     for (const FoxgloveChannel& channel : said.channels) {
+        laser = laser || channel.topic.type.ends_with("LaserScan");
+        if (offered.size() < kLongestWord) offered += offered.empty() ? "" : ", ";
+        if (offered.size() < kLongestWord) offered += channel.topic.name;
         if (subscriptions_.contains(channel.id) || !is_wanted(channel.topic)) continue;
         std::string bytes;
         const std::uint16_t topic = mcap_.add(bytes, channel.topic);
@@ -133,6 +138,11 @@ void FoxgloveReceiver::take_text(std::string_view text, const Put& put, const Ne
             news(message(HITOS_TEXT("Errors", "receives %1 (%2)"), verbatim(channel.topic.name),
                          verbatim(channel.topic.type)));
         }
+    }
+    if (!said.channels.empty() && !std::exchange(offered_, true) && !laser) {
+        news(message(
+            HITOS_TEXT("Errors", "no laser (sensor_msgs/LaserScan) is offered yet; there are: %1"),
+            verbatim(offered)));
     }
     if (!asked.empty()) socket_->send(foxglove_subscribe(asked));
 }

@@ -50,6 +50,7 @@ class FoxgloveReceiver {
     std::set<std::string> told_;                            ///< topics
     std::uint32_t last_subscription_ = 0;
     std::uint64_t malformed_ = 0;
+    bool offered_ = false;  // what there is was told
     // Since the last message of a topic, or the beginning.
     std::chrono::steady_clock::time_point silent_since_ = std::chrono::steady_clock::now();
     int tries_ = 0;

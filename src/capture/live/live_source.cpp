@@ -10,6 +10,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <exception>
 #include <span>
 #include <string>
 #include <utility>
@@ -213,22 +214,25 @@ std::optional<LiveSource::Opening> LiveSource::wait_for_opening(
     Opening opening;
     std::optional<std::uint64_t> looked_at;
     for (;;) {
+        std::exception_ptr failure;
         const bool over = growth_->ended();
         if (over || looked_at != growth_->size()) {
             looked_at = growth_->size();
             try {
                 opening = opening_now(format, options, scans);
             } catch (const FormatError& error) {
-                if (over) throw;  // else more may make sense of it
+                failure = std::current_exception();
                 opening.problem = error.problem();
             } catch (const ConfigError& error) {
                 // A topic that was asked for may not have spoken yet.
-                if (over || (error.key() != kScanTopicKey && error.key() != kOdomTopicKey)) throw;
+                if (error.key() != kScanTopicKey && error.key() != kOdomTopicKey) throw;
+                failure = std::current_exception();
                 opening.problem = error.message();
             }
-            if (over || opening.scans >= scans) return opening;
         }
         if (!told(opening)) return std::nullopt;
+        if (over && failure) std::rethrow_exception(failure);  // else more may make sense of it
+        if (over || opening.scans >= scans) return opening;
         std::this_thread::sleep_for(kLook);
     }
 }

@@ -38,8 +38,8 @@ Request parsed_request(std::string_view text) {
     Request request;
     try {
         take(parsed<json>(std::string(text), kWhose), request);
-    } catch (const json::exception& error) {
-        request.wrong = error.what();
+    } catch (const json::exception&) {  // whose words are for programmers
+        request.wrong = "a member is missing or of another kind";
     } catch (const Error& error) {
         request.wrong = error.what();
     }

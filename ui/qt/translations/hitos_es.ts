@@ -3334,6 +3334,14 @@
         <source>is there already, and may be what another run received; say --replace to receive in its place, or another name with --received</source>
         <translation>ya está ahí, y puede ser lo que recibió otra ejecución; diga --replace para recibir en su lugar, u otro nombre con --received</translation>
     </message>
+    <message>
+        <source>has been renamed, removed or replaced while it was followed; what was opened first is what counts, and is not under this name any more</source>
+        <translation>se ha renombrado, borrado o sustituido mientras se seguía; cuenta el que se abrió primero, que ya no está bajo este nombre</translation>
+    </message>
+    <message>
+        <source>no laser (sensor_msgs/LaserScan) is offered yet; there are: %1</source>
+        <translation>aún no se ofrece ningún láser (sensor_msgs/LaserScan); hay: %1</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
