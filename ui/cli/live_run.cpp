@@ -197,10 +197,10 @@ void LiveRun::look(RunWorker& worker, ProgressLine& line) {
         tell_doubts(doubting_.get(), line);
 }
 
-void LiveRun::tell_doubts(Evidence evidence, ProgressLine& line) {
-    auto& [examination, findings] = evidence;
+void LiveRun::tell_doubts(const Evidence& evidence, ProgressLine& line) {
+    const auto& [examination, findings] = evidence;
     if (!examination) return;
-    for (const TourFinding& finding : examination->findings(std::move(findings))) {
+    for (const TourFinding& finding : examination->findings(findings)) {
         if (std::ranges::count(told_, finding.kind) > 0) continue;
         line.say(words_of(finding));
         told_.push_back(finding.kind);

@@ -77,7 +77,7 @@ class LiveRun {
     void put_pose(const Algoritmo& run, std::optional<double> latency_s);
     /// What there is to doubt is found out by: both as they were at that moment.
     using Evidence = std::pair<std::optional<TourExamination>, std::vector<TourFinding>>;
-    void tell_doubts(Evidence evidence, ProgressLine& line);
+    void tell_doubts(const Evidence& evidence, ProgressLine& line);
 
     LiveOptions options_;
     std::unique_ptr<LiveSource> source_;
