@@ -73,7 +73,7 @@ TEST(FoxgloveFrames, ThatAreNoneAreRefused) {
           std::string(R"({"op":7})"), std::string(R"({"op":"advertise"})"),
           std::string(R"({"op":"unadvertise","channelIds":["a"]})"),
           std::string(R"({"op":"status","level":"x"})"),
-          "{\"op\":\"" + std::string(5000, 'a') + "\"}", std::string("{\"op\":\"\xff\"}")}) {
+          R"({"op":")" + std::string(5000, 'a') + R"("})", std::string("{\"op\":\"\xff\"}")}) {
         EXPECT_THROW(foxglove_said(text), FormatError) << text.substr(0, 60);
     }
     EXPECT_THROW(foxglove_message(""), FormatError);
@@ -89,8 +89,9 @@ TEST(FoxgloveFrames, LeaveOutAChannelThatIsNoneAndKeepTheOthers) {
          {std::string("3"), std::string(R"({"id":-1,"topic":"a"})"),
           R"({"id":4,"topic":"/a","encoding":"cdr","schemaName":"a","schema":")" +
               std::string((1 << 20) + 1, 'x') + "\"}"}) {
-        const FoxgloveSaid said =
-            foxglove_said(R"({"op":"advertise","channels":[)" + bad + "," + scan + "]}");
+        std::string text = R"({"op":"advertise","channels":[)";
+        text.append(bad).append(",").append(scan).append("]}");
+        const FoxgloveSaid said = foxglove_said(text);
         EXPECT_EQ(said.channels.size(), 1U) << bad.substr(0, 60);
         EXPECT_EQ(said.problems.size(), 1U) << bad.substr(0, 60);
     }
