@@ -4,6 +4,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/translatable.hpp"
 #include "line_reader.hpp"
+#include "read_extent.hpp"
 
 namespace hitos {
 
@@ -29,8 +30,8 @@ Archivo::Archivo(std::filesystem::path path, const LogFormat& format, ReadOption
             format_.word, format_.purpose);
     }
     apart_ = files[0] != files[1];
-    const FileExtent extent = part_ == Part::opening ? FileExtent{options_.opening_bytes}
-                                                     : FileExtent{.growth = options_.growth};
+    const FileExtent extent =
+        part_ == Part::opening ? opening_extent(options_) : whole_extent(options_);
     scans_ = std::make_unique<Cursor>(files[0], extent);
     odometry_ = std::make_unique<Cursor>(files[1], extent);
     if (format_.classify != nullptr && format_.make_conversor != nullptr) return;

@@ -13,6 +13,7 @@
 #include "hitos/base/text_input.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "line_reader.hpp"
+#include "read_extent.hpp"
 #include "recordings/recording.hpp"
 #include "recordings/unpack.hpp"
 
@@ -240,8 +241,7 @@ std::unique_ptr<Fuente> open_log(const std::filesystem::path& path, std::string_
                       options);
         return recording->open(path, *recording, options);
     }
-    const Probe found =
-        probe(path, options.opening_bytes > 0 ? FileExtent{options.opening_bytes} : FileExtent{});
+    const Probe found = probe(path, opening_extent(options));
     refuse_drawing(path, found);
     if (2 * found.commas > found.text) refuse_commas(path.string(), found);
     if (found.claimed == 0) refuse_unknown(path.string(), found);

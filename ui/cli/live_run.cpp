@@ -164,8 +164,7 @@ void LiveRun::put_pose(const Algoritmo& run, std::optional<double> latency_s) {
         fmt::format("{:.6f},{:.6f},{:.6f},{:.8f},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{}\n",
                     now.time_s, now.pose.x, now.pose.y, now.pose.theta, c(0, 0), c(0, 1), c(0, 2),
                     c(1, 1), c(1, 2), c(2, 2), latency_s ? fmt::format("{:.6f}", *latency_s) : ""));
-    if (poses_->problem().empty() || poses_lost_) return;
-    poses_lost_ = true;
+    if (poses_->problem().empty()) return;
     const std::scoped_lock lock(mutex_);
     poses_problem_ = fmt::format("{}: {}", on_one_line(options_.poses), poses_->problem());
 }

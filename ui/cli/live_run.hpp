@@ -89,7 +89,6 @@ class LiveRun {
     std::uint64_t doubted_at_ = 0;  ///< steps
     std::future<Evidence> doubting_;
     std::vector<TourFinding::Kind> told_;
-    bool poses_lost_ = false;
     std::optional<std::string> poses_problem_;
     bool told_poses_ = false;
     bool told_problem_ = false;

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "hitos/base/error.hpp"
+#include "read_extent.hpp"
 #include "ros/recording_lines.hpp"
 
 namespace hitos {
@@ -30,8 +31,7 @@ std::shared_ptr<const RecordingPlan> plan_recording(const std::filesystem::path&
                                                     const LogFormat& format, OpenRecording* open,
                                                     const ReadOptions& options) {
     const bool live = options.opening_bytes > 0;
-    const RecordingSurvey survey =
-        survey_recording(path, open, live ? FileExtent{options.opening_bytes} : FileExtent{});
+    const RecordingSurvey survey = survey_recording(path, open, opening_extent(options));
     auto plan = std::make_shared<RecordingPlan>(RecordingPlan{path, format, open,
                                                               choose_topics(survey, options, path),
                                                               options, kScansHeld, kReadingsHeld});
@@ -65,8 +65,8 @@ RecordingSource::RecordingSource(std::shared_ptr<const RecordingPlan> plan, Part
                (is_laser(topic) && std::ranges::count(topics.scans, topic.name) > 0);
     };
     const ReadOptions& options = plan_->options;
-    const FileExtent extent = part == Part::opening ? FileExtent{options.opening_bytes}
-                                                    : FileExtent{.growth = options.growth};
+    const FileExtent extent =
+        part == Part::opening ? opening_extent(options) : whole_extent(options);
     scans_ = std::make_unique<Cursor>(*plan_, extent, is_any);
     odometry_ = std::make_unique<Cursor>(*plan_, extent, is_reading);
     // Where there is none, nobody waits for any.

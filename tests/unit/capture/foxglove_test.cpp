@@ -6,6 +6,7 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/websocket.hpp>
+#include <chrono>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -185,21 +186,23 @@ std::uint32_t subscribed(Server::Socket& stream) {
     return static_cast<std::uint32_t>(std::stoul(asked.substr(at)));
 }
 
-/// All that a receiver gives until it has so many messages, or gives up.
+/// All that a receiver gives.
 struct Received {
     std::string bytes;
     std::vector<std::string> news;
 };
 
-Received receive(const Server& server, std::size_t bytes_wanted) {
+/// Until `enough` says so of what was put last, or the receiver gives up.
+Received receive(const Server& server, std::chrono::seconds patience,
+                 const std::function<bool(std::string_view put, const Received& all)>& enough) {
     Received all;
     std::stop_source stop;
-    FoxgloveReceiver receiver(server.url(), std::chrono::seconds(60));
+    FoxgloveReceiver receiver(server.url(), patience);
     receiver.receive(
         stop.get_token(),
         [&](std::string_view bytes) {
             all.bytes += bytes;
-            if (all.bytes.size() >= bytes_wanted) stop.request_stop();
+            if (enough(bytes, all)) stop.request_stop();
         },
         [&](const Message& news) { all.news.push_back(news.english()); });
     return all;
@@ -213,6 +216,7 @@ std::vector<test::Said> messages_of(const Received& all) {
 }
 
 constexpr std::size_t kPayload = 1000;
+constexpr std::chrono::seconds kPatience(60);
 
 TEST(FoxgloveReceiver, KeepsWhatIsOfUseAndPassesOverWhatIsMalformed) {
     Server server({[](Server::Socket& stream) {
@@ -230,7 +234,9 @@ TEST(FoxgloveReceiver, KeepsWhatIsOfUseAndPassesOverWhatIsMalformed) {
                 true);
         hear(stream);  // until the client goes
     }});
-    const Received all = receive(server, 20 * kPayload);
+    const Received all = receive(server, kPatience, [](std::string_view, const Received& so_far) {
+        return so_far.bytes.size() >= 20 * kPayload;
+    });
     const std::vector<test::Said> messages = messages_of(all);
     ASSERT_EQ(messages.size(), 20U);
     for (std::size_t i = 0; i < messages.size(); ++i) {
@@ -275,18 +281,9 @@ TEST(FoxgloveReceiver, LosesNothingThatCameInAHundredDisconnections) {
         hear(stream);
     });
     Server server(std::move(manners));
-    Received all;
-    {
-        std::stop_source stop;
-        FoxgloveReceiver receiver(server.url(), std::chrono::seconds(60));
-        receiver.receive(
-            stop.get_token(),
-            [&](std::string_view bytes) {
-                all.bytes += bytes;
-                if (bytes.size() > 50 * kPayload) stop.request_stop();
-            },
-            [&](const Message& news) { all.news.push_back(news.english()); });
-    }
+    const Received all = receive(server, kPatience, [](std::string_view put, const Received&) {
+        return put.size() > 50 * kPayload;
+    });
     const std::vector<test::Said> messages = messages_of(all);
     ASSERT_EQ(messages.size(), said);
     for (std::size_t i = 0; i < messages.size(); ++i) EXPECT_EQ(messages[i].log_time_ns, i + 1);
@@ -296,12 +293,9 @@ TEST(FoxgloveReceiver, LosesNothingThatCameInAHundredDisconnections) {
 /// Whoever takes connections and drops them does not keep anybody busy, nor for ever.
 TEST(FoxgloveReceiver, GivesUpOnAServerThatNeverSaysAnything) {
     const Server server({[](Server::Socket& stream) { stream.accept(); }});
-    FoxgloveReceiver receiver(server.url(), std::chrono::seconds(1));
-    std::vector<std::string> news;
-    receiver.receive(
-        std::stop_token(), [](std::string_view) {},
-        [&](const Message& told) { news.push_back(told.english()); });
-    EXPECT_THAT(news.back(), HasSubstr("the tour ends here"));
+    const Received all = receive(server, std::chrono::seconds(1),
+                                 [](std::string_view, const Received&) { return false; });
+    EXPECT_THAT(all.news.back(), HasSubstr("the tour ends here"));
     EXPECT_LT(server.connections(), 30);
 }
 
@@ -344,10 +338,8 @@ TEST(FoxgloveReceiver, GivesUpAfterItsPatience) {
     FoxgloveReceiver receiver(server->url(), std::chrono::seconds(0));
     std::vector<std::string> news;
     std::string bytes;
-    std::stop_source stop;
-    std::jthread ender;
     receiver.receive(
-        stop.get_token(), [&](std::string_view put) { bytes += put; },
+        std::stop_token(), [&](std::string_view put) { bytes += put; },
         [&](const Message& told) {
             news.push_back(told.english());
             if (server && news.back().find("looked for again") != std::string::npos) server.reset();
