@@ -15,6 +15,7 @@
 
 #include "animation/animation_dialog.hpp"
 #include "dialogs/configuration_dialog.hpp"
+#include "dialogs/connect_dialog.hpp"
 #include "dialogs/export_dialog.hpp"
 #include "dialogs/run_until_dialog.hpp"
 #include "dialogs/source_dialog.hpp"
@@ -248,6 +249,9 @@ void FitTest::every_window_fits() {
         ExportDialog picture(f.window->grid_view().exportable(), f.files.settings(),
                              f.window.get());
         check_dialog(picture, picture.sizeHint(), "picture");
+        ConnectDialog& connection = f.window->open_connection();
+        check_dialog(connection, {640, 560}, "connection");
+        connection.hide();
         RunUntilDialog until(f.session, f.files.settings(), f.window.get());
         check_dialog(until, until.sizeHint(), "run until");
         AnimationDialog animation(30, f.window.get());

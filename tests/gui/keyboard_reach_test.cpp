@@ -21,6 +21,7 @@
 
 #include "animation/animation_dialog.hpp"
 #include "dialogs/configuration_dialog.hpp"
+#include "dialogs/connect_dialog.hpp"
 #include "dialogs/export_dialog.hpp"
 #include "dialogs/run_until_dialog.hpp"
 #include "dialogs/source_dialog.hpp"
@@ -154,6 +155,7 @@ void visit_windows(KeyboardFixture& f, const std::function<void(QWidget&, const 
     ExportDialog picture(f.window->grid_view().exportable(), f.files.settings(), f.window.get());
     picture.show();
     visit(picture, "picture");
+    visit(f.window->open_connection(), "connection");
     RunUntilDialog until(f.session, f.files.settings(), f.window.get());
     until.show();
     visit(until, "run until");

@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
     if (name == "readings") return run<ReadingsTest>(arguments);
     if (name == "source") return run<SourceTest>(arguments);
     if (name == "configuration") return run<ConfigurationTest>(arguments);
+    if (name == "connect") return run<ConnectTest>(arguments);
     if (name == "draw") return run<DrawTest>(arguments);
     if (name == "drive") return run<DriveTest>(arguments);
     if (name == "gamepad") return run<GamepadTest>(arguments);
@@ -72,7 +73,8 @@ int main(int argc, char** argv) {
     if (name == "view") return run<ViewTest>(arguments);
     if (name == "words") return run<WordsTest>(arguments);
     qCritical(
-        "expected contact, draw, drive, fit, gamepad, graph, guide, source, configuration, random, "
+        "expected connect, contact, draw, drive, fit, gamepad, graph, guide, source, "
+        "configuration, random, "
         "run, "
         "runs, sessions, study, time, view, inspect, keyboard, lessons, measure or words");
     return 2;

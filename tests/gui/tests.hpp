@@ -38,6 +38,20 @@ class SourceTest : public QObject {
     void what_is_no_file_cannot_be_dropped();
 };
 
+class ConnectTest : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void a_log_that_is_being_written_is_mapped_as_it_comes();
+    void the_run_may_stand_still_or_go_back_meanwhile();
+    void parameters_and_reading_change_on_the_way();
+    void another_log_ends_the_connection();
+    void a_window_that_closes_waits_for_nothing();
+    void the_beginning_is_waited_for();
+    void of_several_lasers_one_is_chosen();
+    void what_cannot_be_followed_is_told();
+};
+
 class DrawTest : public QObject {
     Q_OBJECT
 

@@ -181,29 +181,7 @@ void LiveRun::tell_news(ProgressLine& line) {
 
 void LiveRun::look(RunWorker& worker, ProgressLine& line) {
     tell_news(line);
-    const std::uint64_t steps = worker.progress().steps;
-    constexpr std::uint64_t kFirst = 100;
-    if (!doubting_.valid() && steps >= std::max(kFirst, 2 * doubted_at_)) {
-        doubted_at_ = steps;
-        // It is answered between two scans, for which the program does not wait.
-        doubting_ = worker.with_run([](const Algoritmo& run) -> Evidence {
-            if (run.examination() == nullptr) return {};
-            return {*run.examination(), run.reader().findings()};
-        });
-    }
-    using namespace std::chrono_literals;
-    if (doubting_.valid() && doubting_.wait_for(0s) == std::future_status::ready)
-        tell_doubts(doubting_.get(), line);
-}
-
-void LiveRun::tell_doubts(const Evidence& evidence, ProgressLine& line) {
-    const auto& [examination, findings] = evidence;
-    if (!examination) return;
-    for (const TourFinding& finding : examination->findings(findings)) {
-        if (std::ranges::count(told_, finding.kind) > 0) continue;
-        line.say(words_of(finding));
-        told_.push_back(finding.kind);
-    }
+    for (const TourFinding& finding : doubts_.look(worker)) line.say(words_of(finding));
 }
 
 std::optional<double> LiveRun::behind_s() const {

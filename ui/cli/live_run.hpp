@@ -5,19 +5,16 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
-#include <future>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "hitos/capture/live_source.hpp"
-#include "hitos/capture/tour_examination.hpp"
-#include "hitos/capture/tour_finding.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/services/run/live_doubts.hpp"
 #include "hitos/services/run/run_worker.hpp"
 #include "pose_lines.hpp"
 #include "progress_line.hpp"
@@ -75,9 +72,6 @@ class LiveRun {
 
   private:
     void put_pose(const Algoritmo& run, std::optional<double> latency_s);
-    /// What there is to doubt is found out by: both as they were at that moment.
-    using Evidence = std::pair<std::optional<TourExamination>, std::vector<TourFinding>>;
-    void tell_doubts(const Evidence& evidence, ProgressLine& line);
 
     LiveOptions options_;
     std::unique_ptr<LiveSource> source_;
@@ -85,10 +79,8 @@ class LiveRun {
     mutable std::mutex mutex_;
     std::vector<float> latencies_s_;  ///< of scans that came while it ran
     std::uint64_t steps_ = 0;
-    bool asked_ = false;            ///< to end
-    std::uint64_t doubted_at_ = 0;  ///< steps
-    std::future<Evidence> doubting_;
-    std::vector<TourFinding::Kind> told_;
+    bool asked_ = false;  ///< to end
+    LiveDoubts doubts_;
     std::optional<std::string> poses_problem_;
     bool told_poses_ = false;
     bool told_problem_ = false;

@@ -18,12 +18,22 @@
 #include "hitos/base/error.hpp"
 #include "hitos/base/message.hpp"
 #include "hitos/capture/file_growth.hpp"
+#include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_reader.hpp"
 
 namespace hitos {
 
 /// Whether it is the address of a server ("ws://…"), not the name of a file.
 bool is_websocket_address(std::string_view source);
+
+/// How it stands with the connection to a server.
+struct LinkState {
+    bool connected = true;
+    std::uint64_t losses = 0;       ///< how often it was lost
+    std::uint64_t passed_over = 0;  ///< frames that are not of the protocol
+};
+
+class FoxgloveReceiver;
 
 /// Whatever a tour comes by, it is a file first, so that nothing is lost and the same file gives
 /// the same map again: one that another program writes, or one that what comes in is put into. Any
@@ -61,7 +71,8 @@ class LiveSource {
         std::uint64_t bytes = 0;
         std::size_t scans = 0;
         std::size_t readings = 0;
-        Message problem = {};  ///< why nothing can be made of it yet; empty where something can
+        Message problem = {};    ///< why nothing can be made of it yet; empty where something can
+        bool to_choose = false;  ///< it has several lasers or odometries, and nobody said which
     };
     /// Waits for so many scans, by which is decided what has to be before the first one, or for the
     /// end of what comes. `told` hears how far that is, at least ten times a second; where it says
@@ -73,6 +84,9 @@ class LiveSource {
 
     /// No more is waited for: the tour is what has come by now.
     void end();
+    /// What a server offers, with how many messages have come; nothing where none is asked.
+    std::vector<RecordedTopic> topics() const;
+    LinkState link() const;
     /// What has happened to a connection since this was last asked, in words.
     std::vector<Message> take_news();
     /// Why it was over before its time, or why something is missing; nothing where all is well.
@@ -86,6 +100,7 @@ class LiveSource {
 
     std::filesystem::path file_;
     std::shared_ptr<FileGrowth> growth_;
+    std::shared_ptr<const FoxgloveReceiver> server_;  ///< null where none is asked
     std::mutex ending_;
     mutable std::mutex mutex_;
     std::optional<FileError> problem_;

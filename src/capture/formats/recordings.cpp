@@ -30,14 +30,12 @@ std::vector<RecordedTopic> topics_with(const std::filesystem::path& path) {
         told.name = topic.name;
         told.type = topic.type;
         told.messages = topic.messages;
-        if (is_laser(topic)) {
-            told.use = TopicUse::scans;
+        told.use = use_of(topic);
+        if (told.use == TopicUse::scans) {
             told.frame = frame_in(survey.laser_frames, topic.name);
-        } else if (is_odometry(topic)) {
-            told.use = TopicUse::odometry;
+        } else if (told.use == TopicUse::odometry) {
             told.frame = frame_in(survey.robot_frames, topic.name);
-        } else if (is_transforms(topic)) {
-            told.use = TopicUse::transforms;
+        } else if (told.use == TopicUse::transforms) {
             const auto found = survey.frames.find(topic.name);
             if (found != survey.frames.end()) told.frames = found->second.frames.links();
         }

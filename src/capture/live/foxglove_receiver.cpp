@@ -18,12 +18,10 @@ namespace {
 /// The older name of the protocol, and that of its newer servers; what is used is the same in both.
 constexpr const char* kProtocols = "foxglove.websocket.v1, foxglove.sdk.v1";
 
-/// Whether it is of use to a tour.
-bool is_wanted(const ReceivedTopic& topic) {
-    Topics topics([](const Topic& told) {
-        return is_laser(told) || is_odometry(told) || is_transforms(told);
-    });
-    return topics.of(topic.name, topic.type, topic.encoding).wanted;
+RecordedTopic offer_of(const ReceivedTopic& topic) {
+    Topics topics([](const Topic& told) { return use_of(told) != TopicUse::none; });
+    const Topic& told = topics.of(topic.name, topic.type, topic.encoding);
+    return {.name = told.name, .type = told.type, .use = use_of(told)};
 }
 
 }  // namespace
@@ -48,6 +46,11 @@ void FoxgloveReceiver::receive(const std::stop_token& stop, const Put& put, cons
             problem = error.why();
         }
         socket_.reset();
+        {
+            const std::scoped_lock lock(mutex_);
+            link_.connected = false;
+            ++link_.losses;
+        }
         news(message(HITOS_TEXT("Errors", "%1; it is looked for again"), *problem));
         if (!connect_again(stop, news)) break;
     }
@@ -79,6 +82,10 @@ bool FoxgloveReceiver::connect_again(const std::stop_token& stop, const News& ne
         try {
             socket_ = std::make_unique<WebSocket>(address_, url_, kProtocols);
             const double seconds = std::chrono::duration<double>(Clock::now() - lost).count();
+            {
+                const std::scoped_lock lock(mutex_);
+                link_.connected = true;
+            }
             news(message(HITOS_TEXT("Errors", "connected again after %1 s"),
                          std::round(10.0 * seconds) / 10.0));
             return true;
@@ -100,13 +107,36 @@ void FoxgloveReceiver::take(const WebSocket::Frame& frame, const Put& put, const
         const auto topic = topics_.find(found->subscription);
         if (topic == topics_.end()) return;  // of one that was given up
         std::string bytes;
-        mcap_.put_message(bytes, topic->second, found->received_ns, found->bytes);
+        mcap_.put_message(bytes, topic->second.number, found->received_ns, found->bytes);
         put(bytes);
         tries_ = 0;
+        const std::scoped_lock lock(mutex_);
+        ++topic->second.offer->messages;
     } catch (const FormatError& error) {
         constexpr std::uint64_t kTold = 10;
-        if (++malformed_ <= kTold) news(error.problem());
+        const std::scoped_lock lock(mutex_);
+        if (++link_.passed_over <= kTold) news(error.problem());
     }
+}
+
+std::vector<RecordedTopic> FoxgloveReceiver::topics() const {
+    const std::scoped_lock lock(mutex_);
+    std::vector<RecordedTopic> all;
+    all.reserve(offers_.size());
+    for (const auto& [name, topic] : offers_) all.push_back(topic);
+    return all;
+}
+
+LinkState FoxgloveReceiver::link() const {
+    const std::scoped_lock lock(mutex_);
+    return link_;
+}
+
+RecordedTopic* FoxgloveReceiver::note_offer(const ReceivedTopic& topic) {
+    const std::scoped_lock lock(mutex_);
+    RecordedTopic& known = offers_[topic.name];
+    if (RecordedTopic now = offer_of(topic); now.type != known.type) known = std::move(now);
+    return &known;
 }
 
 void FoxgloveReceiver::take_text(std::string_view text, const Put& put, const News& news) {
@@ -127,13 +157,14 @@ void FoxgloveReceiver::take_text(std::string_view text, const Put& put, const Ne
         laser = laser || channel.topic.type.ends_with("LaserScan");
         if (offered.size() < kLongestWord) offered += offered.empty() ? "" : ", ";
         if (offered.size() < kLongestWord) offered += channel.topic.name;
-        if (subscriptions_.contains(channel.id) || !is_wanted(channel.topic)) continue;
+        RecordedTopic* offer = note_offer(channel.topic);
+        if (subscriptions_.contains(channel.id) || offer->use == TopicUse::none) continue;
         std::string bytes;
         const std::uint16_t topic = mcap_.add(bytes, channel.topic);
         if (!bytes.empty()) put(bytes);
         asked.emplace_back(++last_subscription_, channel.id);
         subscriptions_.emplace(channel.id, last_subscription_);
-        topics_.emplace(last_subscription_, topic);
+        topics_.emplace(last_subscription_, Subscribed{topic, offer});
         if (told_.insert(channel.topic.name).second) {
             news(message(HITOS_TEXT("Errors", "receives %1 (%2)"), verbatim(channel.topic.name),
                          verbatim(channel.topic.type)));

@@ -7,12 +7,16 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "hitos/base/message.hpp"
+#include "hitos/capture/live_source.hpp"
+#include "hitos/capture/log_format.hpp"
 #include "live/foxglove_frames.hpp"
 #include "live/received_mcap.hpp"
 #include "live/websocket.hpp"
@@ -34,8 +38,14 @@ class FoxgloveReceiver {
     /// goes. Throws what `put` throws.
     void receive(const std::stop_token& stop, const Put& put, const News& news);
 
+    // By any thread:
+    /// What the server has offered, with how many messages have come.
+    std::vector<RecordedTopic> topics() const;
+    LinkState link() const;
+
   private:
     void take(const WebSocket::Frame& frame, const Put& put, const News& news);
+    RecordedTopic* note_offer(const ReceivedTopic& topic);
     void take_text(std::string_view text, const Put& put, const News& news);
     /// False where it is over.
     bool connect_again(const std::stop_token& stop, const News& news);
@@ -45,12 +55,18 @@ class FoxgloveReceiver {
     std::chrono::seconds patience_;
     std::unique_ptr<WebSocket> socket_;
     ReceivedMcap mcap_;
-    std::map<std::uint32_t, std::uint16_t> topics_;         ///< of the file, by subscription
+    struct Subscribed {
+        std::uint16_t number = 0;        ///< of the topic in the file
+        RecordedTopic* offer = nullptr;  ///< among offers_
+    };
+    std::map<std::uint32_t, Subscribed> topics_;            ///< by subscription
     std::map<std::uint64_t, std::uint32_t> subscriptions_;  ///< by channel
     std::set<std::string> told_;                            ///< topics
     std::uint32_t last_subscription_ = 0;
-    std::uint64_t malformed_ = 0;
-    bool offered_ = false;  // what there is was told
+    mutable std::mutex mutex_;
+    std::map<std::string, RecordedTopic> offers_;  ///< guarded by it, by name
+    LinkState link_;                               ///< likewise
+    bool offered_ = false;                         // what there is was told
     // Since the last message of a topic, or the beginning.
     std::chrono::steady_clock::time_point silent_since_ = std::chrono::steady_clock::now();
     int tries_ = 0;

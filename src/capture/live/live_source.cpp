@@ -171,7 +171,17 @@ std::unique_ptr<LiveSource> LiveSource::of_server(const std::string& url,
                 source.news_.push_back(std::move(news));
             });
     };
-    return std::unique_ptr<LiveSource>(new LiveSource(file, receive));
+    std::unique_ptr<LiveSource> source(new LiveSource(file, receive));
+    source->server_ = receiver;
+    return source;
+}
+
+std::vector<RecordedTopic> LiveSource::topics() const {
+    return server_ ? server_->topics() : std::vector<RecordedTopic>{};
+}
+
+LinkState LiveSource::link() const {
+    return server_ ? server_->link() : LinkState{};
 }
 
 std::vector<Message> LiveSource::take_news() {
@@ -228,6 +238,8 @@ std::optional<LiveSource::Opening> LiveSource::wait_for_opening(
                 if (error.key() != kScanTopicKey && error.key() != kOdomTopicKey) throw;
                 failure = std::current_exception();
                 opening.problem = error.message();
+                opening.to_choose = error.key() == kScanTopicKey ? options.scan_topic.empty()
+                                                                 : options.odom_topic.empty();
             }
         }
         if (!told(opening)) return std::nullopt;

@@ -30,12 +30,18 @@ bool is_transforms(const Topic& topic) {
     return is_transforms_type(topic.type) && is_readable(topic);
 }
 
+TopicUse use_of(const Topic& topic) {
+    if (is_laser(topic)) return TopicUse::scans;
+    if (is_odometry(topic)) return TopicUse::odometry;
+    return is_transforms(topic) ? TopicUse::transforms : TopicUse::none;
+}
+
 RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecording* open,
                                  const FileExtent& extent) {
     constexpr std::size_t kReceipts = 256;  // of each topic: its clock is told by any of them
     RecordingSurvey survey;
     Topics topics([](const Topic& topic) {
-        return is_laser(topic) || is_odometry(topic) || is_transforms(topic);
+        return use_of(topic) != TopicUse::none;
     });
     const std::unique_ptr<Recording> recording = open(path, {topics, false, extent});
     const auto next = [&] {

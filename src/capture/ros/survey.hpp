@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "hitos/capture/log_format.hpp"
 #include "recordings/recording.hpp"
 #include "ros/frame_choice.hpp"
 
@@ -38,5 +39,6 @@ bool is_laser(const Topic& topic);
 bool is_multi_echo(const Topic& topic);
 bool is_odometry(const Topic& topic);
 bool is_transforms(const Topic& topic);
+TopicUse use_of(const Topic& topic);
 
 }  // namespace hitos

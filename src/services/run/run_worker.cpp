@@ -108,12 +108,14 @@ void RunWorker::restart() {
 void RunWorker::seek(std::uint64_t steps) {
     const std::scoped_lock lock(mutex_);
     if (progress_.state == Progress::State::failed) return;
+    // Who is sent on and on, behind a tour that grows, is to be seen all the same.
+    const bool on = progress_.state == Progress::State::running && !paced_ && steps >= seek_target_;
+    if (!on) seek_began_ = std::chrono::steady_clock::now();
     budget_ = 0;
     rules_ = {};
     paced_ = false;
     seek_wanted_ = seek_target_ = steps;
     foreseen_ = false;
-    seek_began_ = std::chrono::steady_clock::now();
     progress_.state = Progress::State::running;
     progress_.stopped_by = StopReason::none;
     wake_.notify_one();

@@ -238,6 +238,32 @@ void ConfigurationActions::select_source() {
     choose_source(session_.configuration(), false);
 }
 
+bool ConfigurationActions::map_incoming(const SourceParams& source,
+                                        std::shared_ptr<IncomingTour> tour) {
+    const bool had = has_references();
+    Configuracion next = session_.configuration();
+    const QString suited = suit(next, source.file);
+    const OdometryFrom odometry = next.source.read.odometry;
+    forget_recording(next);
+    next.source.file = source.file;
+    next.source.format = source.format;
+    next.source.read = source.read;
+    next.source.read.odometry = odometry;
+    try {
+        session_.set_incoming(next, std::move(tour));
+    } catch (const std::exception& error) {
+        prompts_.warn(window_, tr("The tour that comes in cannot be mapped"), words_of(error));
+        return false;
+    }
+    if (!suited.isEmpty()) own_.push_back(next);
+    const QString file = QString::fromStdString(source.file);
+    files_.note_recent(file);
+    session_.run();
+    emit notice(sentences(
+        {tr("Maps what comes in: %1").arg(QFileInfo(file).fileName()), suited, lost_words(had)}));
+    return true;
+}
+
 /// The map of a run whose results are asked for, and a tour that is asked for in it.
 void ConfigurationActions::go_on() {
     const QString folder = prompts_.choose_folder(

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -43,6 +44,9 @@ class ConfigurationActions final : public QObject {
     void open_all(QStringList paths);
 
     void select_source();
+    /// The tour that comes in, which is read as `source` says, and runs at once. False where that
+    /// is not possible, which the user was told.
+    bool map_incoming(const SourceParams& source, std::shared_ptr<IncomingTour> tour);
     /// With the map of a run that was saved.
     void go_on();
     void configure();

@@ -76,6 +76,7 @@ void RunControls::set_up(const RunActions& actions, Session& session, QSettings&
             [this] { time_line_->choose_event(true); });
     const auto refresh = [this, &session] {
         show_progress(session.progress(), session.has_source());
+        pace_->setEnabled(!session.is_live());  // which has its own
         if (session.has_source()) note_marks(session);
         enable_events();
     };

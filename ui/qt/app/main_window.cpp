@@ -263,8 +263,9 @@ void MainWindow::connect_run() {
         ui_->action_save_figures->setEnabled(session_.progress().steps > 0);
         ui_->action_save_animation->setEnabled(session_.progress().steps > 0);
         ui_->action_particle_map->setEnabled(session_.progress().steps > 0);
-        ui_->action_study->setEnabled(session_.has_source() && !driven);
-        ui_->action_run_until->setEnabled(session_.has_source() && !driven);
+        const bool whole = session_.has_source() && !driven && !session_.is_live();
+        ui_->action_study->setEnabled(whole);
+        ui_->action_run_until->setEnabled(whole);
     };
     connect(&session_, &Session::progress_changed, this, enable);
     connect(results_, &ResultActions::writing_changed, this, enable);

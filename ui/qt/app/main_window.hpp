@@ -16,6 +16,8 @@ namespace hitos::window {
 
 class CanvasView;
 class ConfigurationActions;
+class ConnectDialog;
+class Connection;
 class FirstLook;
 class GraphWindow;
 class GridView;
@@ -69,6 +71,8 @@ class MainWindow final : public QMainWindow {
     StudyDialog& open_study();
     /// Shows the world to drive a robot through.
     WorldWindow& open_world_window();
+    /// Shows how a robot is connected, or can be.
+    ConnectDialog& open_connection();
     /// Opens a graph of poses in a window of its own.
     GraphWindow& open_graph(const QString& path);
     /// What closing does: the run pauses, the layout is remembered.
@@ -130,6 +134,8 @@ class MainWindow final : public QMainWindow {
     Measurements* measurements_ = nullptr;
     MeasurementTable* measurement_table_ = nullptr;
     StudyDialog* study_ = nullptr;
+    Connection* connection_ = nullptr;
+    ConnectDialog* connect_ = nullptr;
     WorldWindow* world_ = nullptr;
     std::string file_in_views_;  ///< the log whose tour they show
     bool close_when_written_ = false;

@@ -9,6 +9,7 @@
 
 #include "actions/configuration_actions.hpp"
 #include "actions/result_actions.hpp"
+#include "dialogs/connect_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "inspect/graph_window.hpp"
@@ -22,6 +23,7 @@
 #include "ui_main_window.h"
 #include "views/grid_view.hpp"
 #include "views/view_settings.hpp"
+#include "workers/connection.hpp"
 #include "world/world_view.hpp"
 #include "world/world_window.hpp"
 
@@ -79,6 +81,7 @@ void MainWindow::connect_runs() {
     connect(&runs_->panel(), &RunsPanel::traces_changed, ui_->grid_view, &GridView::set_traces);
     ui_->menu_run->insertAction(ui_->action_study, runs_->list_action());
     connect(ui_->action_open_results, &QAction::triggered, runs_, &Runs::ask);
+    connect(ui_->action_connect, &QAction::triggered, this, [this] { open_connection(); });
     connect(ui_->action_drive, &QAction::triggered, this, [this] { open_world_window(); });
     connect(ui_->action_compare, &QAction::triggered, runs_,
             [this] { runs_->compare(runs_->panel().chosen()); });
@@ -113,6 +116,25 @@ StudyDialog& MainWindow::open_study() {
     study_->show();
     study_->activateWindow();
     return *study_;
+}
+
+ConnectDialog& MainWindow::open_connection() {
+    if (connect_ == nullptr) {
+        connection_ = new Connection(session_, this);
+        connect_ = new ConnectDialog(*connection_, session_, files_, prompts_, guard_, this);
+        place_beside_parent(*connect_, kBeside);
+        connect(connection_, &Connection::opened, configuration_,
+                [this](const SourceParams& source, const std::shared_ptr<IncomingTour>& tour) {
+                    if (!configuration_->map_incoming(source, tour)) return connection_->end();
+                    connect_->hide();  // the map is what is looked at
+                });
+        connect(connection_, &Connection::changed, status_, &StatusLine::refresh);
+        connect(connection_, &Connection::said, status_, &StatusLine::notice);
+    }
+    connect_->show();
+    connect_->raise();
+    connect_->activateWindow();
+    return *connect_;
 }
 
 WorldWindow& MainWindow::open_world_window() {

@@ -9,6 +9,7 @@
 #include "hitos/workbench/presets.hpp"
 #include "look/parameter_text.hpp"
 #include "look/words_of.hpp"
+#include "session/incoming_tour.hpp"
 #include "views/canvas_view.hpp"
 
 namespace hitos::window {
@@ -155,6 +156,19 @@ void StatusLine::show_tool_tip() {
     state_->setToolTip(parts.join("\n\n"));
 }
 
+/// Of a tour that comes in how it stands with that.
+QString StatusLine::running_words(const Progress& progress) const {
+    constexpr double kWorthSayingS = 1.0;
+    const auto& tour = session_.incoming_tour();
+    if (!tour || !session_.is_live()) return tr("Running");
+    if (!tour->source().link().connected) return tr("Connection lost");
+    const double behind_s = tour->waiting_s(progress.steps).value_or(0.0);
+    if (behind_s >= kWorthSayingS) return tr("Live, %1 s behind").arg(behind_s, 0, 'f', 0);
+    const double silent_s = tour->silent_s();
+    if (silent_s >= kWorthSayingS) return tr("Live, no scan for %1 s").arg(silent_s, 0, 'f', 0);
+    return tr("Live");
+}
+
 void StatusLine::refresh() {
     using State = Progress::State;
     const Progress p = session_.progress();
@@ -163,7 +177,7 @@ void StatusLine::refresh() {
     } else if (p.state == State::ready) {
         state_->setText(tr("Ready"));
     } else if (p.state == State::running) {
-        state_->setText(tr("Running"));
+        state_->setText(running_words(p));
     } else if (p.state == State::paused) {
         state_->setText(tr("Stopped"));
     } else if (p.state == State::finished) {

@@ -34,13 +34,14 @@ class StatusLine final : public QObject {
     void notice(const QString& text);
     /// Until the next notice; empty: nothing any more.
     void lasting(const QString& text);
+    void refresh();
 
   signals:
     /// The user wants to see the damaged lines.
     void skipped_wanted();
 
   private:
-    void refresh();
+    QString running_words(const Progress& progress) const;
     void show_advice();
     void show_tool_tip();
     QLabel* add(const char* name, const QString& longest);

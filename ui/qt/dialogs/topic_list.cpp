@@ -10,10 +10,12 @@
 namespace hitos::window {
 namespace {
 
-// Columns; the others are only filled.
+// Columns.
 constexpr int kName = 0;
 constexpr int kUse = 1;
+constexpr int kType = 2;
 constexpr int kMessages = 3;
+constexpr int kFrame = 4;
 constexpr const char* kAllLasers = "all";
 constexpr const char* kTransforms = "tf";
 
@@ -64,16 +66,39 @@ TopicList::TopicList(QWidget* parent) : QTreeWidget(parent) {
 void TopicList::show_topics(const std::vector<RecordedTopic>& topics, const QString& scans,
                             const QString& odometry) {
     const QSignalBlocker blocker(this);
-    clear();
     std::vector<RecordedTopic> rows = topics;
     // What a tour can be read from is at the front.
     std::ranges::stable_sort(rows, {}, [](const RecordedTopic& topic) {
         return topic.use == TopicUse::none ? std::numeric_limits<int>::max()
                                            : static_cast<int>(topic.use);
     });
+    if (shows(rows)) {  // of a recording that grows
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            topLevelItem(static_cast<int>(i))
+                ->setText(kMessages, QString::number(rows[i].messages));
+        return;
+    }
+    clear();
     for (const RecordedTopic& topic : rows) add_row(topic);
     tick(scans, odometry);
     expandAll();
+}
+
+/// All but how many messages there are.
+bool TopicList::shows(const std::vector<RecordedTopic>& rows) const {
+    if (static_cast<int>(rows.size()) != topLevelItemCount() || rows.empty()) return false;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const QTreeWidgetItem& row = *topLevelItem(static_cast<int>(i));
+        const RecordedTopic& topic = rows[i];
+        if (row.text(kName) != QString::fromStdString(topic.name) ||
+            row.text(kType) != QString::fromStdString(topic.type) ||
+            row.text(kFrame) != QString::fromStdString(topic.frame) ||
+            (row.text(kMessages) == "0") != (topic.messages == 0) || row.childCount() != 0 ||
+            !topic.frames.empty()) {
+            return false;
+        }
+    }
+    return true;
 }
 
 void TopicList::add_row(const RecordedTopic& topic) {

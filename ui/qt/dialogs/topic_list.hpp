@@ -28,6 +28,7 @@ class TopicList final : public QTreeWidget {
     void chosen(QString scans, QString odometry);
 
   private:
+    bool shows(const std::vector<RecordedTopic>& rows) const;
     void add_row(const RecordedTopic& topic);
     void tick(const QString& scans, const QString& odometry);
     /// The rows of that use that have a box.

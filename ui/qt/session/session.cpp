@@ -12,6 +12,7 @@
 #include "hitos/base/thread_clock.hpp"
 #include "hitos/simulation/drive/simulated_tour_reader.hpp"
 #include "hitos/workbench/open_tour.hpp"
+#include "incoming_tour.hpp"
 #include "look/words_of.hpp"
 
 namespace hitos::window {
@@ -42,7 +43,11 @@ Progress Session::progress() const {
 }
 
 bool Session::is_live() const {
-    return live_ && live_->is_live();
+    return (live_ && live_->is_live()) || (incoming_ && incoming_->is_live());
+}
+
+std::uint64_t Session::scans_there() const {
+    return live_ ? live_->scans() : incoming_->scans();
 }
 
 double Session::computed_seconds(std::uint64_t steps) const {
@@ -61,17 +66,30 @@ void Session::retire() {
         [old = std::shared_ptr<RunWorker>(std::move(worker_))]() mutable { old.reset(); });
 }
 
+/// Its end may take a while, for which nobody waits here.
+void Session::give_up_incoming(std::shared_ptr<IncomingTour> former) const {
+    if (!former || former == incoming_) return;
+    QThreadPool::globalInstance()->start(
+        [former = std::move(former)]() mutable { former.reset(); });
+}
+
 void Session::set_configuration(const Configuracion& configuration) {
-    const bool same = is_live() && configuration.source == configuration_.source;
-    open(configuration, same ? live_ : nullptr);
+    const bool same = live_ && is_live() && configuration.source == configuration_.source;
+    const bool comes_in = incoming_ && incoming_->is_of(configuration);
+    open(configuration, same ? live_ : nullptr, comes_in ? incoming_ : nullptr);
+}
+
+void Session::set_incoming(const Configuracion& configuration, std::shared_ptr<IncomingTour> tour) {
+    open(configuration, nullptr, std::move(tour));
 }
 
 void Session::set_live(const Configuracion& configuration,
                        std::shared_ptr<const SimulatedTour> tour) {
-    open(configuration, std::move(tour));
+    open(configuration, std::move(tour), nullptr);
 }
 
-void Session::open(const Configuracion& configuration, std::shared_ptr<const SimulatedTour> live) {
+void Session::open(const Configuracion& configuration, std::shared_ptr<const SimulatedTour> live,
+                   std::shared_ptr<IncomingTour> incoming) {
     check(configuration);
     std::unique_ptr<RunWorker> next;
     std::optional<Truth> truth;
@@ -79,8 +97,9 @@ void Session::open(const Configuracion& configuration, std::shared_ptr<const Sim
     if (!configuration.source.file.empty()) {
         next = in_background([&] {
             std::unique_ptr<TourReader> reader =
-                live ? std::make_unique<SimulatedTourReader>(live, configuration.source.read)
-                     : open_tour(configuration);
+                live       ? std::make_unique<SimulatedTourReader>(live, configuration.source.read)
+                : incoming ? incoming->open(configuration)
+                           : open_tour(configuration);
             truth = reader->truth();
             if (const auto* tour = dynamic_cast<const SimulatedTourReader*>(reader.get())) {
                 simulated = tour->tour();
@@ -93,9 +112,12 @@ void Session::open(const Configuracion& configuration, std::shared_ptr<const Sim
     if (worker_) emit leaving();
     retire();
     const bool another_log = !same_log(configuration, configuration_) || live != live_;
+    const bool counted = incoming == incoming_ && configuration.source == configuration_.source;
+    if (incoming && !counted) incoming->count(configuration);
     configuration_ = configuration;
-    following_ = live != nullptr;
     live_ = std::move(live);
+    give_up_incoming(std::exchange(incoming_, std::move(incoming)));
+    following_ = is_live();
     worker_ = std::move(next);
     if (worker_) worker_->set_pace(pace_);
     truth_ = std::move(truth);
@@ -107,6 +129,7 @@ void Session::open(const Configuracion& configuration, std::shared_ptr<const Sim
     }
     begin_anew();
     emit configuration_changed();
+    if (incoming_) follow();  // nobody knows when the next scan comes
 }
 
 void Session::set_edits(const std::string& edits) {
@@ -199,9 +222,11 @@ void Session::run_steps(quint64 steps) {
 }
 
 void Session::follow() {
-    if (!worker_ || !live_) return;
-    note_truth();
-    if (following_) go_to(live_->scans());
+    if (!worker_ || !(live_ || incoming_)) return;
+    if (live_) note_truth();
+    if (!following_) return;
+    following_ = live_ || is_live();
+    go_to(following_ ? scans_there() : RunWorker::kToTheEnd);
 }
 
 /// The path of a driven tour grows; what was true stays true, so nobody has to begin anew.
@@ -239,7 +264,7 @@ void Session::seek(quint64 steps) {
     if (!worker_) return;
     following_ = false;
     steps = std::max<quint64>(steps, 1);
-    go_to(is_live() ? std::min<quint64>(steps, live_->scans()) : steps);
+    go_to(is_live() ? std::min<quint64>(steps, scans_there()) : steps);
 }
 
 void Session::restart() {

@@ -18,6 +18,8 @@ class SimulatedTour;
 
 namespace hitos::window {
 
+class IncomingTour;
+
 /// Holds the configuration and the RunWorker that runs it, and tells the views what is new at the
 /// rate of the screen. Snapshots are asked for so seldom that making and painting them takes no
 /// more than kShare of the time, or kShareOfWaiting where the run waits for its pace anyway.
@@ -49,10 +51,16 @@ class Session final : public QObject {
     const std::shared_ptr<const SimulatedTour>& live_tour() const { return live_; }
     /// The same, or the one that the run of a world goes along; null where it is of a log.
     const std::shared_ptr<const SimulatedTour>& simulated_tour() const { return simulated_; }
-    /// Whether it is still being driven.
+    /// The same on a tour that comes in, which the configuration's source names; it is so for as
+    /// long as the source is that file, however it is read.
+    void set_incoming(const Configuracion& configuration, std::shared_ptr<IncomingTour> tour);
+    /// The tour that comes or came in; null where the run is of another one.
+    const std::shared_ptr<IncomingTour>& incoming_tour() const { return incoming_; }
+    /// Whether it is still being driven, or comes in.
     bool is_live() const;
-    /// Takes notice of what was driven since: the truth grows, and the run goes on to the newest
-    /// scan unless the user has stopped it or gone back.
+    /// Takes notice of what has come since: the truth of a driven tour grows, and the run goes on
+    /// to the newest scan, and to the end where there is one, unless the user has stopped it or
+    /// gone back.
     void follow();
 
     bool has_source() const { return worker_ != nullptr; }
@@ -114,7 +122,11 @@ class Session final : public QObject {
     void failed(QString reason);
 
   private:
-    void open(const Configuracion& configuration, std::shared_ptr<const SimulatedTour> live);
+    void open(const Configuracion& configuration, std::shared_ptr<const SimulatedTour> live,
+              std::shared_ptr<IncomingTour> incoming);
+    /// Of a live tour, that are there.
+    std::uint64_t scans_there() const;
+    void give_up_incoming(std::shared_ptr<IncomingTour> former) const;
     void note_truth();
     /// Wherever the run stands, it goes to that scan.
     void go_to(quint64 steps);
@@ -132,7 +144,8 @@ class Session final : public QObject {
     Configuracion configuration_;
     std::shared_ptr<const SimulatedTour> live_;
     std::shared_ptr<const SimulatedTour> simulated_;
-    bool following_ = false;  ///< the run goes where the driven tour is
+    std::shared_ptr<IncomingTour> incoming_;
+    bool following_ = false;  ///< the run goes where the live tour is
     References user_references_;
     References references_;       ///< with the truth
     std::optional<Truth> truth_;  ///< of the tour

@@ -3342,6 +3342,10 @@
         <source>no laser (sensor_msgs/LaserScan) is offered yet; there are: %1</source>
         <translation>aún no se ofrece ningún láser (sensor_msgs/LaserScan); hay: %1</translation>
     </message>
+    <message>
+        <source>it ended before the first scan had come</source>
+        <translation>terminó antes de que llegara el primer barrido</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -6046,6 +6050,14 @@
         <source>Parameters: %1, because this is a world of trees</source>
         <translation>Parámetros: %1, porque esto es un mundo de árboles</translation>
     </message>
+    <message>
+        <source>The tour that comes in cannot be mapped</source>
+        <translation>No se puede hacer el mapa del recorrido que llega</translation>
+    </message>
+    <message>
+        <source>Maps what comes in: %1</source>
+        <translation>Hace el mapa de lo que llega: %1</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::ConfigurationDialog</name>
@@ -6084,6 +6096,149 @@
     <message>
         <source>OK starts from the beginning with: %1</source>
         <translation>Aceptar empieza desde el principio con: %1</translation>
+    </message>
+</context>
+<context>
+    <name>hitos::window::ConnectDialog</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Examinar…</translation>
+    </message>
+    <message>
+        <source>Connect to a robot</source>
+        <translation>Conectar con un robot</translation>
+    </message>
+    <message>
+        <source>ws://HOST:PORT, where foxglove_bridge answers on the robot, or the path of a log that another program is writing</source>
+        <translation>ws://MÁQUINA:PUERTO, donde responde foxglove_bridge en el robot, o la ruta de un registro que otro programa está escribiendo</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>All that is received is kept there as it comes; the same map can be made of it again</source>
+        <translation>Todo lo que se recibe se guarda ahí según llega; de ello se puede volver a hacer el mismo mapa</translation>
+    </message>
+    <message>
+        <source>Keep in</source>
+        <translation>Guardar en</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>Recibido</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Retraso</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>Perdido</translation>
+    </message>
+    <message>
+        <source>What has happened</source>
+        <translation>Qué ha pasado</translation>
+    </message>
+    <message>
+        <source>robot-%1.mcap</source>
+        <translation>robot-%1.mcap</translation>
+    </message>
+    <message>
+        <source>Keep what is received</source>
+        <translation>Guardar lo que se recibe</translation>
+    </message>
+    <message>
+        <source>Recordings (*.mcap)</source>
+        <translation>Grabaciones (*.mcap)</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Desconectar</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Conectar</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>1 scan</source>
+        <translation>1 barrido</translation>
+    </message>
+    <message>
+        <source>%1 scans</source>
+        <translation>%1 barridos</translation>
+    </message>
+    <message>
+        <source>%1, %2 wait</source>
+        <translation>%1, esperan %2</translation>
+    </message>
+    <message>
+        <source>the connection once</source>
+        <translation>la conexión una vez</translation>
+    </message>
+    <message>
+        <source>the connection %1 times</source>
+        <translation>la conexión %1 veces</translation>
+    </message>
+    <message>
+        <source>1 frame that is not of the protocol</source>
+        <translation>1 trama que no es del protocolo</translation>
+    </message>
+    <message>
+        <source>%1 frames that are not of the protocol</source>
+        <translation>%1 tramas que no son del protocolo</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nada</translation>
+    </message>
+    <message>
+        <source>What is received is kept in the file first, and mapped as it comes.</source>
+        <translation>Lo que se recibe se guarda primero en el archivo, y el mapa se hace según llega.</translation>
+    </message>
+    <message>
+        <source>Connecting…</source>
+        <translation>Conectando…</translation>
+    </message>
+    <message>
+        <source>The connection is lost and looked for again.</source>
+        <translation>La conexión se ha perdido y se busca de nuevo.</translation>
+    </message>
+    <message>
+        <source>There are several lasers or odometries: tick those to use.</source>
+        <translation>Hay varios láseres u odometrías: marque los que se usan.</translation>
+    </message>
+    <message>
+        <source>Waits: %1</source>
+        <translation>Espera: %1</translation>
+    </message>
+    <message>
+        <source>Scan %1 of %2, then the map begins.</source>
+        <translation>Barrido %1 de %2; después empieza el mapa.</translation>
+    </message>
+    <message>
+        <source>No scan for %1.</source>
+        <translation>Ningún barrido desde hace %1.</translation>
+    </message>
+    <message>
+        <source>The map grows with what comes in.</source>
+        <translation>El mapa crece con lo que llega.</translation>
+    </message>
+    <message>
+        <source>Disconnected.</source>
+        <translation>Desconectado.</translation>
+    </message>
+    <message>
+        <source>Disconnected. What was received is in %1</source>
+        <translation>Desconectado. Lo recibido está en %1</translation>
     </message>
 </context>
 <context>
@@ -7999,6 +8154,14 @@
         <source>All of them (*.dxf *.toml *.map *.txt);;Drawings (*.dxf);;Worlds (*.toml);;Maps and segments (*.map *.txt)</source>
         <translation>Todos ellos (*.dxf *.toml *.map *.txt);;Dibujos (*.dxf);;Mundos (*.toml);;Mapas y segmentos (*.map *.txt)</translation>
     </message>
+    <message>
+        <source>Connect to a robot…</source>
+        <translation>Conectar con un robot…</translation>
+    </message>
+    <message>
+        <source>Map what a running robot sees, or a log that is being written (Ctrl+Shift+N)</source>
+        <translation>Hacer el mapa de lo que ve un robot en marcha, o de un registro que se está escribiendo (Ctrl+Mayús+N)</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::MapWindow</name>
@@ -8898,6 +9061,22 @@
     <message>
         <source>Said last:</source>
         <translation>Lo último que se dijo:</translation>
+    </message>
+    <message>
+        <source>Connection lost</source>
+        <translation>Conexión perdida</translation>
+    </message>
+    <message>
+        <source>Live, %1 s behind</source>
+        <translation>En vivo, %1 s de retraso</translation>
+    </message>
+    <message>
+        <source>Live, no scan for %1 s</source>
+        <translation>En vivo, sin barridos desde hace %1 s</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>En vivo</translation>
     </message>
 </context>
 <context>

@@ -37,7 +37,7 @@ FirstLook::~FirstLook() {
 void FirstLook::begin() {
     if (stop_) *stop_ = true;
     stop_ = std::make_shared<std::atomic<bool>>(false);
-    const bool possible = session_.has_source() && !session_.live_tour();
+    const bool possible = session_.has_source() && !session_.live_tour() && !session_.is_live();
     const SourceParams& source = session_.configuration().source;
     if (!possible || source != source_)
         show(nullptr, stop_);  // else the one before stays meanwhile

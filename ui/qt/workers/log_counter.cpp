@@ -12,6 +12,7 @@ namespace hitos::window {
 LogCounter::LogCounter(Session& session, QObject* parent) : QObject(parent), session_(session) {
     pool_.setMaxThreadCount(1);
     connect(&session, &Session::configuration_changed, this, &LogCounter::begin);
+    connect(&session, &Session::progress_changed, this, &LogCounter::look);
     begin();
 }
 
@@ -27,13 +28,17 @@ void LogCounter::know(const SourceParams& source, const TourSummary& summary) {
 void LogCounter::begin() {
     const auto known = std::exchange(known_, {});
     const SourceParams& wanted = session_.configuration().source;
-    const bool live = session_.live_tour() != nullptr;
+    const bool comes_in = session_.incoming_tour() && session_.is_live();
+    const bool live = session_.live_tour() || comes_in;
+    live_.reset();
     if (!live && wanted == source_) return;
     source_ = live ? SourceParams{} : wanted;  // nobody knows how long it will be
     if (stop_) *stop_ = true;
     emit counted(std::nullopt);
     emit doubted({});
     busy_ = !source_.file.empty();
+    if (comes_in) live_.emplace();
+    told_.clear();
     if (!busy_) return;
     stop_ = std::make_shared<std::atomic<bool>>(false);
     if (known && known->first == source_) {
@@ -50,6 +55,18 @@ void LogCounter::begin() {
         }
         tell(std::move(summary), stop);
     });
+}
+
+void LogCounter::look() {
+    if (!live_) return;
+    if (!session_.is_live()) {
+        begin();
+        return;
+    }
+    const std::vector<TourFinding> fresh = live_->look(*session_.worker());
+    if (fresh.empty()) return;
+    told_.insert(told_.end(), fresh.begin(), fresh.end());
+    emit doubted(told_);
 }
 
 /// When all that the source's change brings about is done.

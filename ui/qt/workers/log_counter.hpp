@@ -13,6 +13,7 @@
 
 #include "hitos/capture/tour_finding.hpp"
 #include "hitos/capture/tour_summary.hpp"
+#include "hitos/services/run/live_doubts.hpp"
 #include "session/session.hpp"
 
 namespace hitos::window {
@@ -40,6 +41,8 @@ class LogCounter final : public QObject {
 
   private:
     void begin();
+    /// Of a tour that comes in.
+    void look();
     using Stop = std::shared_ptr<std::atomic<bool>>;
     void tell(TourSummary summary, const Stop& of);
 
@@ -47,6 +50,8 @@ class LogCounter final : public QObject {
     SourceParams source_;
     std::optional<std::pair<SourceParams, TourSummary>> known_;
     bool busy_ = false;
+    std::optional<LiveDoubts> live_;  ///< while a tour comes in
+    std::vector<TourFinding> told_;   ///< of it
     Stop stop_;
     QThreadPool pool_;
 };

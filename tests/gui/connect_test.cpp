@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tours that come in while the window maps them.
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QProcess>
+#include <QPushButton>
+#include <QTreeWidget>
+
+#include "dialogs/connect_dialog.hpp"
+#include "gui_fixture.hpp"
+#include "hitos/workbench/open_tour.hpp"
+#include "session/incoming_tour.hpp"
+#include "tests.hpp"
+#include "unit/capture/ros_tours.hpp"
+
+namespace hitos::window {
+namespace {
+
+/// A window beside a file that grows as the test says.
+struct ConnectFixture : Fixture {
+    ConnectFixture() : Fixture(false) {}
+
+    ConnectDialog& dialog() { return window->open_connection(); }
+    QString state_words() { return dialog().findChild<QLabel*>("connect_state")->text(); }
+    QPushButton* act() { return dialog().findChild<QPushButton*>("connect_act"); }
+    void connect_to(const QString& address) {
+        dialog().set_address(address);
+        QCOMPARE(act()->text(), QString("Connect"));
+        act()->click();
+    }
+    void append(const QByteArray& bytes) const {
+        QFile file(path("tour.log"));
+        QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Append));
+        QCOMPARE(file.write(bytes), bytes.size());
+    }
+    /// On the first part of the ready tour, which is mapped as far as it goes.
+    void begin() {
+        QProcess unpack;
+        unpack.start("gzip", {"-dc", source_file("data/bigloop.log.gz")});
+        QVERIFY(unpack.waitForFinished(kPatienceMs));
+        tour = unpack.readAllStandardOutput();
+        scans_end = tour.indexOf('\n', tour.size() / 3) + 1;
+        write("tour.log", tour.left(scans_end));
+        connect_to(path("tour.log"));
+        QTRY_VERIFY(session.is_live() && caught_up());
+    }
+    void rest_comes() const { append(tour.mid(scans_end)); }
+    bool caught_up() {
+        return session.incoming_tour() && steps() > 0 &&
+               steps() == session.incoming_tour()->scans() && shows_everything();
+    }
+
+    QByteArray tour;
+    qsizetype scans_end = 0;
+};
+
+/// What a run of the same file, read from disk, comes to.
+std::shared_ptr<const Snapshot> again(const Configuracion& configuration) {
+    RunWorker run(configuration, open_tour(configuration));
+    run.run();
+    run.wait();
+    run.request_snapshot();
+    run.wait();
+    return run.latest_snapshot();
+}
+
+void same_maps(const Snapshot& a, const Snapshot& b) {
+    QVERIFY(a.best_trajectory == b.best_trajectory);
+    QCOMPARE(a.best_map.size(), b.best_map.size());
+    for (std::size_t i = 0; i < a.best_map.size(); ++i) {
+        QVERIFY(a.best_map[i].point() == b.best_map[i].point());
+        QVERIFY(a.best_map[i].covariance == b.best_map[i].covariance);
+    }
+}
+
+}  // namespace
+
+void ConnectTest::a_log_that_is_being_written_is_mapped_as_it_comes() {
+    ConnectFixture f;
+    f.begin();
+    QVERIFY(!f.window->open_connection().isHidden());  // which shows it again
+    const quint64 first = f.steps();
+    QVERIFY(first > 100 && first < 1050);
+    QVERIFY2(f.state_words().contains("grows") || f.state_words().contains("No scan"),
+             qPrintable(f.state_words()));
+    auto* said = f.window->findChild<QLabel*>("status_state");
+    QTRY_VERIFY2(said->text().startsWith("Live"), qPrintable(said->text()));
+    QVERIFY(!f.action("action_study")->isEnabled());
+    QVERIFY(f.action("action_stop")->isEnabled());
+    f.rest_comes();
+    QTRY_COMPARE(f.steps(), 1050U);
+    QVERIFY(f.session.is_live());
+    QCOMPARE(f.act()->text(), QString("Disconnect"));
+    f.act()->click();
+    QTRY_VERIFY(f.state() == Progress::State::finished && f.shows_everything());
+    QVERIFY(!f.session.is_live());
+    QVERIFY2(f.state_words().contains("tour.log"), qPrintable(f.state_words()));
+    QTRY_VERIFY(f.window->findChild<QLabel*>("status_scan")->text().contains("1050 of 1050"));
+    QVERIFY(f.action("action_study")->isEnabled());
+    QVERIFY(f.session.configuration().source.read.opening_bytes > 0);
+    const auto live = f.session.snapshot();
+    same_maps(*live, *again(f.session.configuration()));
+    QVERIFY(f.prompts.warnings.isEmpty());
+}
+
+void ConnectTest::the_run_may_stand_still_or_go_back_meanwhile() {
+    ConnectFixture f;
+    f.begin();
+    const quint64 first = f.steps();
+    f.trigger("action_stop");
+    QTRY_COMPARE(f.state(), Progress::State::paused);
+    f.rest_comes();
+    QTRY_COMPARE(f.session.incoming_tour()->scans(), 1050U);
+    QCOMPARE(f.steps(), first);
+    f.session.seek(5);
+    QTRY_VERIFY(f.steps() == 5 && f.shows_everything());
+    f.session.seek(5000);  // no further than what is there
+    QTRY_VERIFY(f.steps() == 1050 && f.shows_everything());
+    f.trigger("action_restart");
+    QTRY_COMPARE(f.steps(), 0U);
+    f.trigger("action_run");
+    QTRY_VERIFY(f.steps() == 1050 && f.shows_everything());
+    QVERIFY(f.session.is_live());
+}
+
+void ConnectTest::parameters_and_reading_change_on_the_way() {
+    ConnectFixture f;
+    f.begin();
+    const quint64 first = f.steps();
+    Configuracion other = f.session.configuration();
+    other.filter.particles = 7;
+    f.session.set_configuration(other);
+    QVERIFY(f.session.is_live());
+    QTRY_VERIFY(f.caught_up());
+    QCOMPARE(f.steps(), first);
+    other.source.read.min_range_m = 0.5;
+    f.session.set_configuration(other);
+    QVERIFY(f.session.is_live());
+    QTRY_VERIFY(f.caught_up() && f.steps() == first);
+    f.rest_comes();
+    QTRY_COMPARE(f.steps(), 1050U);
+    QCOMPARE(f.session.configuration().source.read.min_range_m, 0.5);
+}
+
+void ConnectTest::another_log_ends_the_connection() {
+    ConnectFixture f;
+    f.begin();
+    f.session.set_configuration(Fixture::tour(10));
+    QVERIFY(!f.session.is_live());
+    QVERIFY(f.session.incoming_tour() == nullptr);
+    QTRY_COMPARE(f.act()->text(), QString("Connect"));
+    f.run_to_end();
+    QCOMPARE(f.steps(), 1050U);
+    f.window->configuration_actions().undo();  // the file as it is
+    QVERIFY(!f.session.is_live());
+    f.run_to_end();
+    QVERIFY(f.steps() > 100 && f.steps() < 1050);
+}
+
+void ConnectTest::a_window_that_closes_waits_for_nothing() {
+    ConnectFixture f;
+    f.begin();
+    f.window->close();
+    f.window.reset();
+}
+
+void ConnectTest::the_beginning_is_waited_for() {
+    ConnectFixture f;
+    f.write("tour.log", "# nothing yet\n");
+    f.connect_to(f.path("tour.log"));
+    QTRY_VERIFY2(f.state_words().startsWith("Waits") || f.state_words().startsWith("Scan 0 of 20"),
+                 qPrintable(f.state_words()));
+    QVERIFY(!f.session.has_source());
+    for (int scan = 0; scan < 20; ++scan) {
+        f.append(QByteArray("ODOM %1 0 0\nLASER %1 3 1 0 1 1 0.5 1.%2\n")
+                     .replace("%1", QByteArray::number(scan))
+                     .replace("%2", QByteArray::number(scan)));
+    }
+    QTRY_VERIFY(f.session.is_live() && f.steps() == 20);
+    f.act()->click();
+    QTRY_VERIFY(f.state() == Progress::State::finished);
+}
+
+void ConnectTest::of_several_lasers_one_is_chosen() {
+    ConnectFixture f;
+    const test::Bytes cdr = test::Bytes::cdr();
+    std::vector<test::Said> said = test::small_tour(cdr, 30);
+    std::vector<test::Said> both;
+    for (const test::Said& one : said) {
+        both.push_back(one);
+        if (one.topic != "/scan") continue;
+        both.push_back(one);
+        both.back().topic = "/rear";
+    }
+    f.write("tour.log", {});
+    f.append(QByteArray::fromStdString(test::mcap_of(both)).chopped(8));
+    f.connect_to(f.path("tour.log"));
+    QTRY_VERIFY2(f.state_words().contains("several lasers"), qPrintable(f.state_words()));
+    auto* topics = f.dialog().findChild<QTreeWidget*>("connect_topics");
+    QTRY_VERIFY(topics->topLevelItemCount() >= 3);
+    QVERIFY(topics->isEnabled());
+    const auto rows = topics->findItems("/rear", Qt::MatchExactly);
+    QCOMPARE(rows.size(), 1);
+    rows.front()->setCheckState(0, Qt::Checked);
+    QTRY_VERIFY(f.session.is_live());
+    QCOMPARE(f.session.configuration().source.read.scan_topic, std::string("/rear"));
+    f.dialog();
+    f.act()->click();
+    QTRY_VERIFY(f.state() == Progress::State::finished);
+    QCOMPARE(f.steps(), 30U);
+}
+
+void ConnectTest::what_cannot_be_followed_is_told() {
+    ConnectFixture f;
+    f.connect_to(f.path("none.log"));
+    QTRY_VERIFY2(f.state_words().contains("none.log"), qPrintable(f.state_words()));
+    QCOMPARE(f.act()->text(), QString("Connect"));
+    f.write("prose.log", "once upon a time\n");
+    const QString nobody = "ws://127.0.0.1:1";
+    f.dialog().findChild<QLineEdit*>("connect_file")->setText(f.path("kept.mcap"));
+    f.connect_to(nobody);
+    QTRY_VERIFY2(f.state_words().contains("127.0.0.1"), qPrintable(f.state_words()));
+    QVERIFY(!QFile::exists(f.path("kept.mcap")));
+    f.connect_to("ws://");
+    QTRY_VERIFY2(f.state_words().contains("ws://"), qPrintable(f.state_words()));
+    QVERIFY(!f.session.has_source());
+    // What was there is not written over unasked.
+    f.write("kept.mcap", "mine");
+    f.connect_to(nobody);
+    QCOMPARE(f.prompts.confirmed_texts.size(), 1);
+    QCOMPARE(Fixture::read(f.path("kept.mcap")), QByteArray("mine"));
+}
+
+}  // namespace hitos::window

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Connecting to a running robot, and how it stands with the connection.
+#pragma once
+
+#include <QDialog>
+
+#include "look/prompts.hpp"
+#include "look/user_files.hpp"
+#include "session/run_guard.hpp"
+#include "workers/connection.hpp"
+
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+
+namespace hitos::window {
+
+class TopicList;
+
+/// Stays beside the window for as long as the user wants; closed, the tour comes in all the same.
+class ConnectDialog final : public QDialog {
+    Q_OBJECT
+
+  public:
+    ConnectDialog(Connection& connection, Session& session, UserFiles& files, Prompts& prompts,
+                  const RunGuard& guard, QWidget* parent);
+
+    /// As a user would type it.
+    void set_address(const QString& address);
+
+  private:
+    void begin();
+    void browse();
+    void suggest_file();
+    void refresh();
+    void show_received();
+    QString state_words() const;
+    const char* state_role() const;
+
+    Connection& connection_;
+    Session& session_;
+    UserFiles& files_;
+    Prompts& prompts_;
+    const RunGuard& guard_;
+    QLineEdit* address_;
+    QLineEdit* file_;
+    QPushButton* browse_;
+    QPushButton* act_;
+    QLabel* state_;
+    TopicList* topics_;
+    QLabel* came_;
+    QLabel* delay_;
+    QLabel* losses_;
+    QPlainTextEdit* said_;
+    QString agreed_;  ///< the file that may be replaced
+    QString scans_;   ///< the topics that were chosen
+    QString odometry_;
+};
+
+}  // namespace hitos::window

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "incoming_tour.hpp"
+
+#include <exception>
+#include <string>
+#include <utility>
+
+#include "background.hpp"
+#include "hitos/workbench/open_tour.hpp"
+
+namespace hitos::window {
+namespace {
+
+/// Who reads the tour anew, for its maps and figures, takes what is there and waits for nothing.
+class IncomingReader final : public TourReader {
+  public:
+    IncomingReader(std::unique_ptr<TourReader> reader, Configuracion file)
+        : reader_(std::move(reader)), file_(std::move(file)) {}
+
+    std::optional<Scan> next_scan() override { return reader_->next_scan(); }
+    std::optional<Odometria> next_odometry() override { return reader_->next_odometry(); }
+    void restart() override { reader_->restart(); }
+    std::unique_ptr<TourReader> reopen() const override { return open_tour(file_); }
+    const ReadReport& report() const override { return reader_->report(); }
+    std::optional<double> progress() const override { return reader_->progress(); }
+    std::string name() const override { return reader_->name(); }
+    std::string format() const override { return reader_->format(); }
+    ReadOptions options() const override { return file_.source.read; }
+    std::vector<TourFinding> findings() const override { return reader_->findings(); }
+    std::optional<Truth> truth() const override { return reader_->truth(); }
+
+  private:
+    std::unique_ptr<TourReader> reader_;
+    Configuracion file_;
+};
+
+}  // namespace
+
+void IncomingTour::end() {
+    source_->end();  // no reader waits any more
+    readers_.clear();
+}
+
+bool IncomingTour::is_of(const Configuracion& configuration) const {
+    return configuration.source.file == source_->file().string() &&
+           configuration.source.read.opening_bytes > 0;
+}
+
+Configuracion IncomingTour::followed(Configuracion configuration) const {
+    configuration.source.read.growth = source_->growth();
+    return configuration;
+}
+
+std::unique_ptr<TourReader> IncomingTour::open(const Configuracion& configuration) const {
+    return std::make_unique<IncomingReader>(open_tour(followed(configuration)), configuration);
+}
+
+void IncomingTour::count(const Configuracion& configuration) {
+    const std::scoped_lock lock(mutex_);
+    over_ = false;
+    came_s_.clear();
+    readers_.emplace_back([this, configuration = followed(configuration), count = ++count_] {
+        begin_background_work();
+        read(configuration, count);
+    });
+}
+
+void IncomingTour::read(const Configuracion& configuration, std::uint64_t count) {
+    std::unique_ptr<TourReader> tour;
+    for (bool more = true; more;) {
+        try {
+            if (!tour) tour = open_tour(configuration);
+            more = tour->next_scan().has_value();
+        } catch (const std::exception&) {  // which the run itself will tell
+            more = false;
+        }
+        {
+            const std::scoped_lock lock(mutex_);
+            if (count != count_) return;  // another one counts now
+            over_ = !more;
+            if (more)
+                came_s_.push_back(std::chrono::duration<float>(Clock::now() - begin_).count());
+        }
+        arrived_();
+    }
+}
+
+std::uint64_t IncomingTour::scans() const {
+    const std::scoped_lock lock(mutex_);
+    return came_s_.size();
+}
+
+bool IncomingTour::is_live() const {
+    const std::scoped_lock lock(mutex_);
+    return !over_;
+}
+
+std::optional<double> IncomingTour::waiting_s(std::uint64_t steps) const {
+    const std::scoped_lock lock(mutex_);
+    if (steps >= came_s_.size()) return std::nullopt;
+    return std::chrono::duration<double>(Clock::now() - begin_).count() -
+           static_cast<double>(came_s_[steps]);
+}
+
+double IncomingTour::silent_s() const {
+    const std::scoped_lock lock(mutex_);
+    return std::chrono::duration<double>(Clock::now() - begin_).count() -
+           (came_s_.empty() ? 0.0 : static_cast<double>(came_s_.back()));
+}
+
+}  // namespace hitos::window
