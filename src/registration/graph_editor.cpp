@@ -10,6 +10,15 @@
 namespace hitos {
 namespace {
 
+/// Whether the change is of that scan and needs it as a key.
+bool makes_key(const GraphEdit& edit, std::uint64_t scan) {
+    return edit.needs_keys() &&
+           (edit.scan.scan == scan || (edit.of_two() && edit.earlier.scan == scan));
+}
+
+}  // namespace
+namespace {
+
 constexpr double kBeside = 5.0;  // [m] of way, as wide as what is searched for
 
 }  // namespace
@@ -57,11 +66,35 @@ void GraphEditor::check_end(std::uint64_t scans) const {
     }
 }
 
+void GraphEditor::check_held(const KeyGraph& graph, std::uint64_t begin,
+                             std::span<const std::uint64_t> forced) const {
+    for (std::size_t i = 0; i < edits_.size(); ++i) {
+        const std::uint64_t named = edits_[i].earlier.scan;
+        if (edits_[i].scan.scan < begin || !makes_key(edits_[i], named) || named >= begin ||
+            !std::ranges::binary_search(forced, named)) {
+            continue;
+        }
+        const bool of_map = std::ranges::any_of(edits_, [&](const GraphEdit& edit) {
+            return edit.scan.scan < begin && makes_key(edit, named);
+        });
+        if (of_map) continue;
+        std::uint64_t key = 0;
+        for (const KeyPose& pose : graph.poses) {
+            if (pose.scan < named && !std::ranges::binary_search(forced, pose.scan))
+                key = pose.scan;
+        }
+        throw ConfigError(kGraphEditsKey,
+                          HITOS_TEXT("Errors",
+                                     "change %1 names scan %2 of the map, which is held "
+                                     "(source.hold) and would have to get a key scan there; name "
+                                     "scan %3, its key before that, or do not hold the map"),
+                          i + 1, named + 1, key + 1);
+    }
+}
+
 bool GraphEditor::needs_key(std::uint64_t scan) const {
-    return std::ranges::any_of(edits_, [&](const GraphEdit& edit) {
-        return edit.needs_keys() &&
-               (edit.scan.scan == scan || (edit.of_two() && edit.earlier.scan == scan));
-    });
+    return std::ranges::any_of(edits_,
+                               [&](const GraphEdit& edit) { return makes_key(edit, scan); });
 }
 
 bool GraphEditor::slipped(std::uint64_t scan) {

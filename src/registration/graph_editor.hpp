@@ -26,6 +26,11 @@ class GraphEditor {
     void check(std::uint64_t number, const Scan& scan) const;
     /// Throws ConfigError where a change names a scan that a tour of so many has not.
     void check_end(std::uint64_t scans) const;
+    /// Throws ConfigError where a change names a scan of a map that is held, whose tour ended
+    /// before `begin`, and made it a key: it would be another map. `forced` are the keys that are
+    /// none but by changes, in their order.
+    void check_held(const KeyGraph& graph, std::uint64_t begin,
+                    std::span<const std::uint64_t> forced) const;
     /// Whether a change needs the scan as a key.
     bool needs_key(std::uint64_t scan) const;
     /// Whether the step to the scan has slipped.

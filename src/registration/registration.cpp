@@ -49,7 +49,9 @@ RegisteredStep Registration::Impl::add(const Scan& scan, std::span<const Control
         } else if (!first && moved) {
             step(way, slipped, out);
         }
-        out.key = first || wanted || begin != nullptr || key_due();
+        const bool due = first || begin != nullptr || key_due();
+        out.key = due || wanted;
+        if (!due && wanted) forced_keys_.push_back(out.scan);
     }
     out.pose = now_;
     if (out.key) add_key(out.scan, begin);

@@ -153,7 +153,8 @@ class Registration::Impl {
     bool map_stale_ = true;
     // Where the robot may have been carried, as long as nothing has told that it was not.
     std::vector<CarriedPiece> carried_;
-    std::size_t held_ = 0;  // keys that stay where they are
+    std::size_t held_ = 0;                    // keys that stay where they are
+    std::vector<std::uint64_t> forced_keys_;  // scans that are keys by changes alone
     std::vector<GraphReach> reached_;
     std::vector<SurfacePoint> points_;
     std::vector<Linearization> by_source_;

@@ -111,7 +111,10 @@ void Registration::Impl::begin_second_tour(std::uint64_t scan, const TourBegin& 
     graph_.cut(first);
     carried_.push_back({first, first, scan, travelled_m_, true, begin.start});
     figures_.later_tours.push_back({scan, std::nullopt, 0.0, scan});
-    if (begin.hold) held_ = first;
+    if (begin.hold) {
+        editor_.check_held(graph_, scan, forced_keys_);
+        held_ = first;
+    }
     // It holds the tour where it lies, for whoever solves the graph, and goes when it is found.
     const auto from = static_cast<std::uint32_t>(first - 1);
     graph_.edges.push_back({from, from + 1,

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
@@ -12,8 +14,26 @@
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/slam/filters.hpp"
+#include "hitos/workbench/open_tour.hpp"
 
 namespace hitos {
+namespace {
+
+/// The map is made of its run's own changes, which those of a file come behind.
+void add_those_of_map(Configuracion& configuration) {
+    if (configuration.source.map.empty()) return;
+    const std::string of_map = configuration_to_go_on(configuration.source.map).registration.edits;
+    std::vector<GraphEdit> all = parse_graph_edits(of_map);
+    if (all.empty()) return;
+    for (const GraphEdit& edit : parse_graph_edits(configuration.registration.edits)) {
+        const bool there = std::ranges::any_of(
+            all, [&](const GraphEdit& other) { return same_change(edit, other); });
+        if (!there) all.push_back(edit);
+    }
+    configuration.registration.edits = text_of(all);
+}
+
+}  // namespace
 
 void choose_values(Configuracion& configuration, const ValueChoices& choices) {
     for (const std::string& assignment : choices.assignments) {
@@ -32,14 +52,15 @@ void choose_values(Configuracion& configuration, const ValueChoices& choices) {
         }
         configuration.registration.edits = ArchivoConfiguracion::read_edits(choices.edits);
     }
+    if (!choices.map.empty()) {
+        configuration.source.map =
+            std::filesystem::absolute(choices.map).lexically_normal().string();
+    }
+    if (!choices.edits.empty()) add_those_of_map(configuration);
     for (const std::string& assignment : choices.world_assignments) {
         std::string& changes = configuration.source.world_set;
         if (!changes.empty()) changes += ' ';
         changes += assignment;
-    }
-    if (!choices.map.empty()) {
-        configuration.source.map =
-            std::filesystem::absolute(choices.map).lexically_normal().string();
     }
     if (!choices.near.empty()) configuration.source.start = choices.near;
     if (choices.localise) configuration.source.hold = true;

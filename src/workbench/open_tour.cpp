@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hitos/workbench/open_tour.hpp"
 
+#include <algorithm>
+#include <span>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -92,15 +94,19 @@ std::unique_ptr<TourReader> open_one(const SourceParams& source, std::uint64_t r
     return make_scan_odometry(std::move(reader));
 }
 
+/// How many scans the tour of a folder of results has.
+std::uint64_t scans_of(const std::string& folder) {
+    return read_trajectory(std::filesystem::path(folder) / "trajectory.tum").size();
+}
+
 std::unique_ptr<TourReader> open_behind(const SourceParams& source, std::uint64_t run_seed,
                                         int maps) {
     if (source.map.empty()) return open_one(source, run_seed);
     if (maps == kMostMaps) throw endless(source.map);
     const auto [folder, before] = map_in(source.map);
-    const std::uint64_t scans =
-        read_trajectory(std::filesystem::path(folder) / "trajectory.tum").size();
-    return make_joined_tour({open_behind(before.source, before.run.seed, maps + 1), folder, scans},
-                            open_one(source, run_seed), {source.hold, start_of(source.start)});
+    return make_joined_tour(
+        {open_behind(before.source, before.run.seed, maps + 1), folder, scans_of(folder)},
+        open_one(source, run_seed), {source.hold, start_of(source.start)});
 }
 
 }  // namespace
@@ -117,7 +123,42 @@ std::unique_ptr<TourReader> open_tour(const SourceParams& source, std::uint64_t 
     return open_behind(source, run_seed, 0);
 }
 
+std::vector<GraphEdit> changes_of_map(const Configuracion& configuration) {
+    if (configuration.source.map.empty()) return {};
+    const Map map = map_in(configuration.source.map);
+    const std::string& before = map.configuration.registration.edits;
+    if (configuration.registration.edits == before) return {};
+    const std::uint64_t scans = scans_of(map.folder);
+    const std::vector<GraphEdit> of_map = parse_graph_edits(before);
+    const std::vector<GraphEdit> now = parse_graph_edits(configuration.registration.edits);
+    std::vector<GraphEdit> changed;
+    const auto take_new = [&](const std::vector<GraphEdit>& of, const std::vector<GraphEdit>& to) {
+        for (const GraphEdit& edit : of) {
+            const bool there = std::ranges::any_of(
+                to, [&](const GraphEdit& other) { return same_change(edit, other); });
+            if (!there && std::max(edit.scan.scan, edit.earlier.scan) < scans)
+                changed.push_back(edit);
+        }
+    };
+    take_new(now, of_map);
+    take_new(of_map, now);
+    return changed;
+}
+
+void check_held_map(const Configuracion& configuration) {
+    if (!configuration.source.hold) return;
+    const std::vector<GraphEdit> changed = changes_of_map(configuration);
+    if (changed.empty()) return;
+    throw ConfigError(
+        kGraphEditsKey,
+        HITOS_TEXT("Errors",
+                   "\"%1\" is of the map of %2, which stays as it is (source.hold): change it in "
+                   "that map's own run, or go on with the map without holding it"),
+        text_of(std::span(changed).first(1)), configuration.source.map);
+}
+
 std::unique_ptr<TourReader> open_tour(const Configuracion& configuration) {
+    check_held_map(configuration);
     return open_tour(configuration.source, configuration.run.seed);
 }
 

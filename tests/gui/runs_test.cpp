@@ -585,6 +585,14 @@ void RunsTest::a_map_is_gone_on_with() {
             .get();
     QCOMPARE(told.later_tours.size(), 1U);
     QVERIFY(told.later_tours.front().found.has_value());
+    Configuracion held = now;
+    held.source.hold = true;
+    f.session.set_configuration(held);
+    f.window->configuration_actions().use_edits("slip 12");
+    QCOMPARE(f.prompts.warnings.size(), 1);
+    QVERIFY2(f.prompts.warnings.takeFirst().contains("\"slip 12\" is of the map of"),
+             "the map stays as it is");
+    QVERIFY(f.session.configuration().registration.edits.empty());
 
     // The command line has the same.
     CommandLine line;

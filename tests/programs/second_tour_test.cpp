@@ -120,6 +120,66 @@ TEST_F(SecondTourTest, HoldsTheMapThatTwoToursHaveMade) {
     EXPECT_THAT(circle.output, HasSubstr("is read by this very command"));
 }
 
+TEST_F(SecondTourTest, ChangesByHandAreAddedToThoseThatTheMapHas) {
+    file("slip.toml", "[registration]\nedits = \"slip 12 # a wet floor\"\n");
+    ASSERT_EQ(
+        run("first.toml", "mended", "--preset recorded" + few_ + " --edits " + path("slip.toml"))
+            .status,
+        0);
+    const int scans = summary_of("mended")["scans"].get<int>();
+    file("own.toml", "[registration]\nedits = \"slip " + std::to_string(scans + 20) + "\"\n");
+    const std::string mended = " --map " + path("mended");
+    const test::Outcome told =
+        run("second.toml", "out", mended + " --localise --edits " + path("own.toml"));
+    ASSERT_EQ(told.status, 0) << told.output;
+    EXPECT_EQ(content("out/map.txt"), content("mended/map.txt"));
+    EXPECT_THAT(told.output, Not(HasSubstr("other parameters")));
+    const std::string both = content("out/edits.toml");
+    EXPECT_THAT(both, HasSubstr("slip 12"));
+    EXPECT_THAT(both, HasSubstr("slip " + std::to_string(scans + 20)));
+    ASSERT_EQ(run("second.toml", "again", mended + " --localise --edits " + path("out/edits.toml"))
+                  .status,
+              0);
+    EXPECT_EQ(content("again/trajectory.tum"), content("out/trajectory.tum"));
+    EXPECT_EQ(content("again/edits.toml"), both);
+}
+
+TEST_F(SecondTourTest, ChangesOfAMapThatIsHeldAreRefused) {
+    file("slip.toml", "[registration]\nedits = \"slip 12\"\n");
+    const std::string edits = " --edits " + path("slip.toml");
+    const test::Outcome held = run("second.toml", "out", map() + " --localise" + edits);
+    EXPECT_NE(held.status, 0);
+    EXPECT_THAT(held.output, HasSubstr("\"slip 12\" is of the map of "));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / "summary.json"));
+    const test::Outcome joined = run("second.toml", "out", map() + edits);
+    EXPECT_EQ(joined.status, 0) << joined.output;
+    EXPECT_THAT(joined.output, HasSubstr("is another one: registration.edits\n"));
+}
+
+TEST_F(SecondTourTest, AScanIsSaidToBeWhereTheHeldMapHasAKey) {
+    ASSERT_EQ(run("second.toml", "found", map() + " --localise").status, 0);
+    const int begin = summary_of("first")["scans"].get<int>();
+    // Of five scans in a row at least one is no key of the map, and the one that is named instead
+    // is.
+    const auto close = [&](int earlier) {
+        file("close.toml", "[registration]\nedits = \"close " + std::to_string(begin + 120) + " " +
+                               std::to_string(earlier) + " 0 0 0\"\n");
+        return run("second.toml", "out", map() + " --localise --edits " + path("close.toml"));
+    };
+    int refused = 0;
+    for (int earlier = 300; earlier < 305; ++earlier) {
+        const std::string said = close(earlier).output;
+        const std::size_t at = said.find("; name scan ");
+        if (at == std::string::npos) continue;
+        ++refused;
+        const test::Outcome taken = close(std::stoi(said.substr(at + 12)));
+        EXPECT_EQ(taken.status, 0) << taken.output;
+        EXPECT_EQ(content("out/map.txt"), content("first/map.txt"));
+        break;
+    }
+    EXPECT_EQ(refused, 1);
+}
+
 TEST_F(SecondTourTest, TellsAMapThatIsMadeOtherwise) {
     const test::Outcome told = run("second.toml", "out", map() + " --seed 7");
     EXPECT_EQ(told.status, 0) << told.output;

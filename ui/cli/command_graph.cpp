@@ -56,9 +56,8 @@ PlacedEdits edits_for(const GraphOptions& options) {
     if (options.edits.empty()) return {};
     PlacedEdits edits =
         parse_vertex_edits(input::read_text(options.edits, input::kLargestSettings), options.edits);
-    if (edits.edits.empty()) {
-        throw FormatError(options.edits, 0, verbatim("has no change; expected at least one"));
-    }
+    if (edits.edits.empty())
+        fmt::print(stderr, "{}: has no change by hand\n", on_one_line(options.edits));
     return edits;
 }
 
@@ -137,10 +136,12 @@ void tell_worst(Report& report, const SolvedGraph& solved) {
 void solve_graph(GraphOptions options) {
     options.file = input_named(options.file, "graph");
     if (!options.edits.empty()) options.edits = input_named(options.edits, "--edits");
+    const StopByRequest request;  // what is half written is cleared
     const std::unique_ptr<GraphFolder> folder = folder_for(options);
     G2oFile file = read_g2o(options.file);
     const PlacedEdits edits = edits_for(options);
     const SolvedGraph solved = solved_graph(std::move(file.graph), edits, options.choices);
+    if (StopByRequest::wanted()) throw CLI::RuntimeError(StopByRequest::status());
     Report report(options.json);
     report.object()["file"] = options.file;
     if (!edits.edits.empty()) report.count("edits", edits.edits.size());

@@ -89,7 +89,9 @@ void tell_other_parameters(const Configuracion& configuration) {
     std::vector<std::string> changed;
     for (const ConfigParameter* parameter :
          differences(configuration_to_go_on(configuration.source.map), configuration)) {
-        if (!parameter->key.starts_with("source.")) changed.emplace_back(parameter->key);
+        const bool of_map = parameter->key != std::string_view(kGraphEditsKey) ||
+                            !changes_of_map(configuration).empty();
+        if (of_map && !parameter->key.starts_with("source.")) changed.emplace_back(parameter->key);
     }
     if (changed.empty()) return;
     fmt::print(stderr,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hitos/capture/tour_reader.hpp"
+#include "hitos/registration/graph_edit.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/results/results.hpp"
 #include "hitos/simulation/worlds/world.hpp"
@@ -23,12 +24,19 @@ namespace hitos {
 /// that run's tour, as it was read, comes before it (make_joined_tour()); FileError where they are
 /// none.
 std::unique_ptr<TourReader> open_tour(const SourceParams& source, std::uint64_t run_seed = 1);
-/// With the configuration's seed.
+/// With the configuration's seed. Throws what check_held_map() throws besides.
 std::unique_ptr<TourReader> open_tour(const Configuracion& configuration);
 
 /// What a run was run with, to go on with its map: without what is of its tour alone but the
 /// changes by hand, which its map is made of. Throws what open_tour() throws of source.map.
 Configuracion configuration_to_go_on(const std::string& map);
+
+/// The changes by hand that either this configuration has or the run of its map, not both, and that
+/// name scans of the map's own tour alone: by them that map is another one. Throws what open_tour()
+/// throws of source.map.
+std::vector<GraphEdit> changes_of_map(const Configuracion& configuration);
+/// Throws ConfigError where there are such and the map is to stay as it is (source.hold).
+void check_held_map(const Configuracion& configuration);
 
 /// The world of such a source as it is simulated: with the values of source.world_set and the seed.
 /// Throws what read_world() and set_world_value() throw.

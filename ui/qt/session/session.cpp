@@ -136,6 +136,7 @@ void Session::set_edits(const std::string& edits) {
     Configuracion next = configuration_;
     next.registration.edits = edits;
     check(next);
+    check_held_map(next);
     if (!worker_) {
         set_configuration(next);
         return;
