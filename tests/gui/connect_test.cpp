@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QTreeWidget>
 
+#include "app/opening.hpp"
 #include "dialogs/connect_dialog.hpp"
 #include "gui_fixture.hpp"
 #include "hitos/workbench/open_tour.hpp"
@@ -26,8 +27,8 @@ struct ConnectFixture : Fixture {
     QString state_words() { return dialog().findChild<QLabel*>("connect_state")->text(); }
     QPushButton* act() { return dialog().findChild<QPushButton*>("connect_act"); }
     void connect_to(const QString& address) {
-        dialog().set_address(address);
         QCOMPARE(act()->text(), QString("Connect"));
+        dialog().findChild<QLineEdit*>("connect_address")->setText(address);
         act()->click();
     }
     void append(const QByteArray& bytes) const {
@@ -226,6 +227,13 @@ void ConnectTest::what_cannot_be_followed_is_told() {
     f.connect_to("ws://");
     QTRY_VERIFY2(f.state_words().contains("ws://"), qPrintable(f.state_words()));
     QVERIFY(!f.session.has_source());
+    // So the command line says it.
+    CommandLine line;
+    line.open = "ws://127.0.0.1:1/robot";
+    open_named(*f.window, line, Audience::somebody);
+    QTRY_VERIFY2(f.state_words().contains("/robot"), qPrintable(f.state_words()));
+    QVERIFY(f.prompts.warnings.isEmpty());
+    f.session.set_configuration({});
     // What was there is not written over unasked.
     f.write("kept.mcap", "mine");
     f.connect_to(nobody);

@@ -63,7 +63,7 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
         "file", out.open,
         "Log (plain or .gz), ROS recording (.bag, .mcap, .db3 or a folder of rosbag2), "
         "configuration (.cfg), world (.toml, or the name of one that comes with Hitos), graph of "
-        "poses (.g2o), or a folder of results");
+        "poses (.g2o), a folder of results, or a running robot (ws://HOST:PORT)");
     CLI::Option* config = program.add_option("--config", out.config, "Configuration file");
     program
         .add_option("--preset", out.preset,

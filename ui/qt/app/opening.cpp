@@ -4,7 +4,9 @@
 #include <QString>
 
 #include "actions/configuration_actions.hpp"
+#include "dialogs/connect_dialog.hpp"
 #include "dialogs/study_dialog.hpp"
+#include "hitos/capture/live_source.hpp"
 #include "look/user_files.hpp"
 #include "main_window.hpp"
 #include "measure/measurements.hpp"
@@ -12,8 +14,13 @@
 
 namespace hitos::window {
 
-void open_named(MainWindow& window, const CommandLine& line, Audience audience) {
+void open_named(MainWindow& window, const CommandLine& named_line, Audience audience) {
     const bool alone = audience == Audience::nobody;
+    CommandLine line = named_line;
+    if (!alone && is_websocket_address(line.open)) {
+        window.open_connection().connect_to(QString::fromStdString(line.open));
+        line.open.clear();
+    }
     ConfigurationActions& actions = window.configuration_actions();
     alone ? actions.start(line) : actions.start_or_warn(line);
     const QString named = QString::fromStdString(line.open);
@@ -22,7 +29,7 @@ void open_named(MainWindow& window, const CommandLine& line, Audience audience) 
     const QString distances = QString::fromStdString(line.distances);
     if (!distances.isEmpty())
         alone ? window.measurements().open(distances) : window.open_distances(distances);
-    if (line.open.empty() && line.config.empty()) window.offer_start();
+    if (named_line.open.empty() && line.config.empty()) window.offer_start();
 }
 
 void begin(MainWindow& window, Session& session, const CommandLine& line) {

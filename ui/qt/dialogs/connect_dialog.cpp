@@ -114,8 +114,9 @@ ConnectDialog::ConnectDialog(Connection& connection, Session& session, UserFiles
     fit_to_screen(*this);
 }
 
-void ConnectDialog::set_address(const QString& address) {
+void ConnectDialog::connect_to(const QString& address) {
     address_->setText(address);
+    begin();
 }
 
 /// One that is not there yet.

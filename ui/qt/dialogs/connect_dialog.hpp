@@ -26,8 +26,8 @@ class ConnectDialog final : public QDialog {
     ConnectDialog(Connection& connection, Session& session, UserFiles& files, Prompts& prompts,
                   const RunGuard& guard, QWidget* parent);
 
-    /// As a user would type it.
-    void set_address(const QString& address);
+    /// As a user would type it, and connect.
+    void connect_to(const QString& address);
 
   private:
     void begin();

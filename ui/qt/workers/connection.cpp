@@ -161,7 +161,7 @@ void Connection::open(const std::shared_ptr<Attempt>& attempt, const std::string
     tell(attempt, [this, live, source] { take(live, source); });
 }
 
-void Connection::take(const std::shared_ptr<LiveSource>& source, SourceParams how) {
+void Connection::take(const std::shared_ptr<LiveSource>& source, const SourceParams& how) {
     attempt_ = nullptr;
     state_ = State::live;
     tour_ = std::make_shared<IncomingTour>(source, [bell = bell_] { bell->ring(); });

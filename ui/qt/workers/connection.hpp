@@ -77,7 +77,7 @@ class Connection final : public QObject {
     void open(const std::shared_ptr<Attempt>& attempt, const std::string& address,
               const std::string& file, SourceParams source);
     void tell(const std::shared_ptr<Attempt>& of, const std::function<void()>& act);
-    void take(const std::shared_ptr<LiveSource>& source, SourceParams how);
+    void take(const std::shared_ptr<LiveSource>& source, const SourceParams& how);
     void note(Received received, const std::vector<Message>& news);
     void look();
     void stop(const QString& problem);
