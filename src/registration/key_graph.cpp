@@ -116,11 +116,25 @@ std::size_t first_new(const KeyGraph& graph, const MapOfKeys& map) {
     return std::max(begin, map.end > map.newest ? map.end - map.newest : 0);
 }
 
-/// The `most` nearest, nearest first.
+/// The `most` nearest, nearest first. Where a crowd of others is hardly farther, since the robot
+/// has gone the same way a dozen times, the oldest of all of them, oldest first: tied to passages
+/// at random a graph of many is one whose factor grows with the square of its keys.
 std::vector<std::uint32_t> nearest_of(std::vector<std::pair<double, std::uint32_t>> keys,
                                       std::size_t most) {
+    constexpr std::size_t kCrowd = 4;       // times as many as are wanted
+    constexpr double kHardlyFarther = 0.5;  // [m]
     const std::size_t kept = std::min(keys.size(), most);
-    std::partial_sort(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(kept), keys.end());
+    const auto end = keys.begin() + static_cast<std::ptrdiff_t>(kept);
+    std::partial_sort(keys.begin(), end, keys.end());
+    if (kept > 0) {
+        const double farthest_m = std::prev(end)->first + kHardlyFarther;
+        const auto crowd = std::partition(end, keys.end(),
+                                          [&](const auto& key) { return key.first < farthest_m; });
+        if (crowd - keys.begin() > static_cast<std::ptrdiff_t>(kCrowd * most)) {
+            std::ranges::partial_sort(keys.begin(), end, crowd, {},
+                                      &std::pair<double, std::uint32_t>::second);
+        }
+    }
     std::vector<std::uint32_t> nearest;
     nearest.reserve(kept);
     for (std::size_t i = 0; i < kept; ++i) nearest.push_back(keys[i].second);
