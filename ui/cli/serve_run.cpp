@@ -85,7 +85,10 @@ void ServeRun::look(RunWorker& worker, std::optional<double> behind_s) {
         server_->show(shown_, behind_s);
     }
     const auto now = std::chrono::steady_clock::now();
-    if (now < due_) return;
+    // Where the robot stands still there is nothing new to be made.
+    const bool shows_it =
+        shown_ && !shown_->grid_behind && shown_->revision == worker.progress().revision;
+    if (now < due_ || shows_it) return;
     worker.request_snapshot();
     constexpr std::chrono::duration<double> kPause(0.1);
     constexpr double kTimesItself = 20.0;  // so that pictures take a twentieth of the run's time

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -30,6 +32,20 @@ class FileGrowth {
 
     /// Waits until the file has more than so many bytes; false where it is over and has not.
     bool wait_beyond(std::uint64_t bytes) const;
+    /// What the thread that makes it does while it waits for more: before it does, and whenever it
+    /// is nudged. Ends with the object, which must not outlive the growth.
+    class Meanwhile {
+      public:
+        Meanwhile(FileGrowth& growth, std::function<void()> work);
+        ~Meanwhile();
+        Meanwhile(const Meanwhile&) = delete;
+        Meanwhile& operator=(const Meanwhile&) = delete;
+
+      private:
+        FileGrowth& growth_;
+    };
+    /// There is something to do for threads that wait.
+    void nudge();
     /// No more is waited for: the file is what it has now.
     void end();
     bool ended() const;
@@ -69,6 +85,8 @@ class FileGrowth {
     std::uint64_t passed_ = 0;
     bool ended_ = false;
     std::optional<FileError> problem_;
+    std::map<std::thread::id, std::function<void()>> meanwhile_;
+    std::uint64_t nudges_ = 0;
     std::deque<Arrival> arrivals_;  // of what is not taken yet, and the one before
     std::jthread watch_;            // last: it uses everything above
 };

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <utility>
 
 #include "hitos/base/translatable.hpp"
 #include "regular_file.hpp"
@@ -102,8 +103,33 @@ void FileGrowth::look() {
 
 bool FileGrowth::wait_beyond(std::uint64_t bytes) const {
     std::unique_lock lock(mutex_);
-    more_.wait(lock, [&] { return size_ > bytes || ended_; });
+    while (size_ <= bytes && !ended_) {
+        const std::uint64_t nudges = nudges_;
+        const auto work = meanwhile_.find(std::this_thread::get_id());
+        if (work != meanwhile_.end()) {
+            lock.unlock();
+            work->second();  // only this thread takes it away
+            lock.lock();
+        }
+        more_.wait(lock, [&] { return size_ > bytes || ended_ || nudges_ != nudges; });
+    }
     return size_ > bytes;
+}
+
+FileGrowth::Meanwhile::Meanwhile(FileGrowth& growth, std::function<void()> work) : growth_(growth) {
+    const std::scoped_lock lock(growth_.mutex_);
+    growth_.meanwhile_.insert_or_assign(std::this_thread::get_id(), std::move(work));
+}
+
+FileGrowth::Meanwhile::~Meanwhile() {
+    const std::scoped_lock lock(growth_.mutex_);
+    growth_.meanwhile_.erase(std::this_thread::get_id());
+}
+
+void FileGrowth::nudge() {
+    const std::scoped_lock lock(mutex_);
+    ++nudges_;
+    more_.notify_all();
 }
 
 void FileGrowth::end() {

@@ -104,11 +104,13 @@ bool Algoritmo::step(AssociationRecord* record) {
         return false;
     }
     clock_.ends(RunStage::reading);
+    if (examination_) examination_->note(*scan);
+    // Of a tour that is still to come it may have to be waited for: until then the last scan
+    // counts.
+    state_.controls->controls_until(*scan, step_controls_);
     state_.scan = std::move(*scan);
     state_.saw_points = state_.saw_points || !state_.scan.points.empty();
     state_.saw_landmarks = state_.saw_landmarks || !state_.scan.landmarks.empty();
-    if (examination_) examination_->note(state_.scan);
-    state_.controls->controls_until(state_.scan, step_controls_);
     if (state_.scan.begins_tour && steps() > 0) begin_second_tour();
     if (state_.held) {
         state_.observation = {};

@@ -6,13 +6,15 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/thread_clock.hpp"
+#include "hitos/capture/file_growth.hpp"
 #include "hitos/slam/association_record.hpp"
 
 namespace hitos {
 
 RunWorker::RunWorker(const Configuracion& configuration, std::unique_ptr<TourReader> reader,
                      const AlgoritmoOptions& options)
-    : run_(configuration, std::move(reader), options),
+    : growth_(configuration.source.read.growth),
+      run_(configuration, std::move(reader), options),
       worker_([this](const std::stop_token& stop) { work(stop); }) {}
 
 RunWorker::~RunWorker() {
@@ -173,6 +175,7 @@ void RunWorker::request_snapshot(const SnapshotParts& parts) {
     const std::scoped_lock lock(mutex_);
     snapshot_wanted_ = parts;
     wake_.notify_one();
+    if (growth_) growth_->nudge();
 }
 
 std::shared_ptr<const Snapshot> RunWorker::latest_snapshot() const {
@@ -200,6 +203,8 @@ void RunWorker::post(std::function<void(const Algoritmo&)> task) {
 }
 
 void RunWorker::work(const std::stop_token& stop) {
+    std::optional<FileGrowth::Meanwhile> meanwhile;
+    if (growth_) meanwhile.emplace(*growth_, [this] { answer_meanwhile(); });
     for (;;) {
         Message error;
         std::exception_ptr failure;
@@ -219,6 +224,7 @@ void RunWorker::fail(Message error, std::exception_ptr failure) {
     const std::scoped_lock lock(mutex_);
     busy_ = false;
     const bool in_a_step = std::exchange(stepping_, false);
+    takes_scan_ = false;
     idle_.notify_all();
     if (restart_wanted_ || edits_wanted_) return;  // then it no longer matters
     if (in_a_step) note_progress();
@@ -352,7 +358,9 @@ void RunWorker::step(std::unique_lock<std::mutex>& lock) {
     stepping_ = true;
     lock.unlock();
     const auto begin = std::chrono::steady_clock::now();
+    takes_scan_ = true;
     const bool more = run_.step();
+    takes_scan_ = false;
     const auto end = std::chrono::steady_clock::now();
     if (more) {
         grid_.note_step(run_);
@@ -404,11 +412,19 @@ void RunWorker::note_progress() {
     }
 }
 
-void RunWorker::publish_snapshot(std::unique_lock<std::mutex>& lock, bool foreseen) {
+/// What the run is made of rests until the step has all that it waits for.
+void RunWorker::answer_meanwhile() {
+    if (!takes_scan_ || run_.steps() == 0) return;
+    std::unique_lock lock(mutex_);
+    if (!snapshot_wanted_ || edits_wanted_ || passes_by()) return;
+    publish_snapshot(lock, false, Rest::between_scans);
+}
+
+void RunWorker::publish_snapshot(std::unique_lock<std::mutex>& lock, bool foreseen, Rest rest) {
     const SnapshotParts parts = snapshot_wanted_.value_or(parts_);
     parts_ = parts;
     if (!foreseen) snapshot_wanted_.reset();  // else the run's own is still to come
-    const bool rests = foreseen || budget_ == 0 || waits_for_pace();
+    const bool rests = foreseen || rest == Rest::between_scans || budget_ == 0 || waits_for_pace();
     lock.unlock();
     const double begin = thread_seconds();
     auto snapshot = std::make_shared<Snapshot>(snapshot_of(run_, parts));

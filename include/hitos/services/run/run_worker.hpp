@@ -147,8 +147,9 @@ class RunWorker {
 
     Progress progress() const;
 
-    /// Asks for a snapshot of the state after the step under way (at once where none is); it is
-    /// made on the worker and handed out by latest_snapshot().
+    /// Asks for a snapshot of the state after the step under way (at once where none is, or where
+    /// that one waits for a tour that is still to come); it is made on the worker and handed out by
+    /// latest_snapshot().
     void request_snapshot(const SnapshotParts& parts = {});
     std::shared_ptr<const Snapshot> latest_snapshot() const;
 
@@ -189,7 +190,11 @@ class RunWorker {
     void foresee(const std::string& edits, bool from_the_last, std::unique_lock<std::mutex>& lock);
     /// To a checkpoint, or to the beginning.
     void leave_for(const RunCheckpoint* checkpoint);
-    void publish_snapshot(std::unique_lock<std::mutex>& lock, bool foreseen = false);
+    enum class Rest : std::uint8_t { none, between_scans };
+    void publish_snapshot(std::unique_lock<std::mutex>& lock, bool foreseen = false,
+                          Rest rest = Rest::none);
+    /// In a step that waits for the next scan of a tour that is still to come.
+    void answer_meanwhile();
     void begin_rate();  // of steps, from where the run is
     void note_progress();
     const StepFigures& noted_figures();
@@ -198,9 +203,11 @@ class RunWorker {
     bool passes_by() const;  // likewise
     void note_due();         // likewise
 
-    Algoritmo run_;   // the worker's own, once it runs
-    ShownGrid grid_;  // likewise
+    const std::shared_ptr<FileGrowth> growth_;  // of a tour that is still to come; else null
+    Algoritmo run_;                             // the worker's own, once it runs
+    ShownGrid grid_;                            // likewise
     RunCheckpoints checkpoints_;
+    bool takes_scan_ = false;  // likewise: it may wait for it, and is whole until it has it
     std::shared_ptr<const RunCheckpoint> bent_;  // the state that was foreseen
 
     mutable std::mutex mutex_;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "hitos/base/error.hpp"
+#include "hitos/capture/file_growth.hpp"
 #include "ready_tour.hpp"
 #include "support.hpp"
 
@@ -74,6 +75,45 @@ class GatedReader final : public TourReader {
     ReadReport report_;
 };
 
+/// A scan for every byte of a file that grows; odometry up to the one that is awaited.
+class GrowingReader final : public TourReader {
+  public:
+    GrowingReader(std::shared_ptr<FileGrowth> growth, std::uint64_t readings)
+        : growth_(std::move(growth)), readings_(readings) {}
+    std::optional<Scan> next_scan() override {
+        if (!growth_->wait_beyond(scans_)) return std::nullopt;
+        Scan scan;
+        scan.time_s = static_cast<double>(scans_++);
+        return scan;
+    }
+    std::optional<Odometria> next_odometry() override {
+        constexpr std::uint64_t kNever = 1000;
+        if (told_ == readings_) {
+            growth_->wait_beyond(kNever);
+            return std::nullopt;
+        }
+        Odometria reading;
+        reading.time_s = static_cast<double>(told_++);
+        return reading;
+    }
+    void restart() override {}
+    std::unique_ptr<TourReader> reopen() const override {
+        return std::make_unique<GrowingReader>(growth_, readings_);
+    }
+    const ReadReport& report() const override { return report_; }
+    std::optional<double> progress() const override { return std::nullopt; }
+    std::string name() const override { return "growing"; }
+    std::string format() const override { return "world"; }
+    ReadOptions options() const override { return {}; }
+
+  private:
+    std::shared_ptr<FileGrowth> growth_;
+    std::uint64_t readings_;
+    std::uint64_t scans_ = 0;
+    std::uint64_t told_ = 0;
+    ReadReport report_;
+};
+
 /// Asked between two steps, on the worker's own thread.
 std::uint64_t steps_of(RunWorker& worker) {
     return worker.with_run([](const Algoritmo& run) { return run.steps(); }).get();
@@ -130,6 +170,33 @@ TEST(RunWorker, APauseEndsWithTheStepUnderWay) {
     worker.run(2);
     worker.wait();
     EXPECT_EQ(gate->given(), 6U);
+}
+
+/// Nobody has to wait for the robot to see where it stands.
+TEST(RunWorker, AStepThatWaitsForATourToComeShowsTheStateBeforeIt) {
+    const test::TempFolder folder;
+    for (const std::uint64_t readings : {std::uint64_t{1000}, std::uint64_t{4}}) {
+        Configuracion configuration;
+        configuration.source.read.growth =
+            std::make_shared<FileGrowth>(folder.put("scans", "12345"));
+        const auto growth = configuration.source.read.growth;
+        RunWorker worker(configuration, std::make_unique<GrowingReader>(growth, readings));
+        worker.run();
+        const std::uint64_t scans = readings > 5 ? 5 : 3;  // the fourth waits for its odometry
+        std::shared_ptr<const Snapshot> shown;
+        while (!shown || shown->steps < scans) {
+            worker.request_snapshot();
+            shown = worker.latest_snapshot();
+        }
+        EXPECT_EQ(shown->steps, scans);
+        EXPECT_EQ(shown->scan.time_s, static_cast<double>(scans - 1));
+        EXPECT_EQ(shown->best_trajectory.size(), scans);
+        EXPECT_FALSE(shown->grid_behind);
+        growth->end();
+        worker.wait();
+        EXPECT_EQ(worker.progress().state, State::finished);
+        EXPECT_EQ(worker.progress().steps, 5U);
+    }
 }
 
 TEST(RunWorker, ARestartForgetsTheStepUnderWay) {
