@@ -39,5 +39,17 @@ TEST_F(ServeToOthers, FoxglovesOwnClientFindsWhatIsAdvertised) {
     EXPECT_TRUE(fs::exists(path("out/summary.json")));
 }
 
+/// Wide and on phones, light and dark, in both languages: drawn as large as it may be, legible, and
+/// asking nobody else for anything.
+TEST_F(ServeToOthers, ABrowserShowsThePage) {
+    ASSERT_EQ(
+        shell(cli_ + " convert " + log_ + " --to normalized --out " + path("tour.log")).status, 0);
+    const Outcome browser = shell(node("page_in_browser.js") + " " + cli_ + " " + path("tour.log") +
+                                  " " + path("out") + " " + path("pictures"));
+    if (lacks_something(browser)) GTEST_SKIP() << browser.output;
+    ASSERT_EQ(browser.status, 0) << browser.output;
+    EXPECT_THAT(browser.output, HasSubstr("phone-dark-es"));
+}
+
 }  // namespace
 }  // namespace hitos::test
