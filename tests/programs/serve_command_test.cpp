@@ -161,7 +161,8 @@ TEST_F(ServeCommand, NobodyNeedsToLook) {
 }
 
 TEST_F(ServeCommand, AddressesAreLookedAtFirst) {
-    for (const char* address : {"x", "70000", "-1", ":8765", "a:b", "1:2:3", "8765x"}) {
+    for (const char* address : {"x", "70000", "-1", ":8765", "a:b", "1:2:3", "::1:8765", "[::1]",
+                                "[a]:80", "[::1]:70000", "8765x"}) {
         const Outcome outcome = shell(run_of(log_, fmt::format("--serve={}", address), "out"));
         EXPECT_EQ(outcome.status, 64) << address;
         EXPECT_THAT(outcome.output, HasSubstr("expected PORT or HOST:PORT")) << address;

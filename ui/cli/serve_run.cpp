@@ -6,34 +6,25 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <system_error>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/host_port.hpp"
+#include "hitos/base/text_input.hpp"
 
 namespace hitos::cli {
 namespace {
 
 /// [HOST:]PORT, an address of IPv6 in brackets; nothing where it is none.
 std::optional<LiveServer::Address> address_in(const std::string& text) {
-    LiveServer::Address address;
-    const std::size_t colon = text.rfind(':');
-    const std::string port = colon == std::string::npos ? text : text.substr(colon + 1);
-    if (colon != std::string::npos) {
-        address.host = text.substr(0, colon);
-        if (address.host.starts_with('[') && address.host.ends_with(']')) {
-            address.host = address.host.substr(1, address.host.size() - 2);
-        } else if (address.host.find(':') != std::string::npos) {
-            return std::nullopt;
-        }
-    }
-    const char* end = port.data() + port.size();
-    const auto [at, error] = std::from_chars(port.data(), end, address.port);
-    if (error != std::errc() || at != end || address.host.empty()) return std::nullopt;
-    return address;
+    constexpr std::uint64_t kGreatest = 65535;
+    if (const auto port = input::parse_whole(text); port && *port <= kGreatest)
+        return LiveServer::Address{.port = static_cast<std::uint16_t>(*port)};
+    const auto place = host_and_port(text);
+    if (!place || !place->port) return std::nullopt;
+    return LiveServer::Address{place->host, *place->port};
 }
 
 std::string complaint_of_address(const std::string& text) {
@@ -49,7 +40,7 @@ std::string host_in_links(const std::string& host) {
         std::array<char, 256> name{};
         if (::gethostname(name.data(), name.size() - 1) == 0) return name.data();
     }
-    return host.find(':') == std::string::npos ? host : "[" + host + "]";
+    return bracketed(host);
 }
 
 }  // namespace

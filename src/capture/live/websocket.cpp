@@ -9,8 +9,8 @@
 #include <boost/beast/websocket.hpp>
 #include <chrono>
 
+#include "hitos/base/host_port.hpp"
 #include "hitos/base/message.hpp"
-#include "hitos/base/text_input.hpp"
 #include "hitos/base/translatable.hpp"
 #include "hitos/capture/live_source.hpp"
 #include "recordings/recording.hpp"
@@ -60,23 +60,12 @@ WebSocketAddress::WebSocketAddress(const std::string& url) {
         path = rest.substr(slash);
         rest = rest.substr(0, slash);
     }
-    const bool bracketed = rest.starts_with('[');
-    const std::size_t end = bracketed ? rest.find(']') : rest.rfind(':');
-    if (bracketed && end == std::string_view::npos) refuse(url);
-    const std::string_view behind =
-        end == std::string_view::npos ? "" : rest.substr(bracketed ? end + 1 : end);
-    host = bracketed ? rest.substr(1, end - 1) : rest.substr(0, end);
-    if (!behind.empty()) {
-        const auto number = input::parse_number(behind.substr(1));
-        const bool digits =
-            std::ranges::all_of(behind.substr(1), [](char c) { return c >= '0' && c <= '9'; });
-        if (behind.front() != ':' || !digits || !number || *number < 1 || *number > 65535)
-            refuse(url);
-        port = behind.substr(1);
-    }
     const bool odd = std::ranges::any_of(
         url, [](char c) { return static_cast<unsigned char>(c) <= ' ' || c == '\x7f'; });
-    if (host.empty() || odd) refuse(url);
+    const auto place = host_and_port(rest);
+    if (odd || !place || place->port == 0) refuse(url);
+    host = place->host;
+    if (place->port) port = std::to_string(*place->port);
 }
 
 struct WebSocket::Connection {
@@ -132,10 +121,7 @@ WebSocket::WebSocket(const WebSocketAddress& address, const std::string& url,
     link.stream.read_message_max(kLargestFrame);
     websocket::response_type answer;
     link.wait([&](auto done) {
-        const std::string host =
-            (address.host.find(':') == std::string::npos ? address.host
-                                                         : "[" + address.host + "]") +
-            ":" + address.port;
+        const std::string host = bracketed(address.host) + ":" + address.port;
         link.stream.async_handshake(answer, host, address.path, done);
     });
     if (link.error == websocket::error::upgrade_declined) {

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/host_port.hpp"
 #include "live_channels.hpp"
 #include "live_connection.hpp"
 
@@ -40,9 +41,7 @@ constexpr std::chrono::milliseconds kFarewell{1000};
 constexpr std::chrono::milliseconds kGridPause{1000};
 
 std::string name_of(const LiveServer::Address& address) {
-    const bool v6 = address.host.find(':') != std::string::npos;
-    const std::string host = on_one_line(address.host);
-    return fmt::format("{}:{}", v6 ? "[" + host + "]" : host, address.port);
+    return fmt::format("{}:{}", bracketed(on_one_line(address.host)), address.port);
 }
 
 Error cannot_listen(const LiveServer::Address& address, const Code& error) {
@@ -100,11 +99,7 @@ tcp::acceptor listening(asio::io_context& context, const LiveServer::Address& ad
     return acceptor;
 }
 
-/// Without the port, in small letters.
-std::string host_of(std::string_view text) {
-    const std::size_t bracket = text.find(']');
-    const std::size_t colon = text.find(':', bracket == std::string_view::npos ? 0 : bracket);
-    std::string host(text.substr(0, colon));
+std::string in_small_letters(std::string host) {
     std::ranges::transform(host, host.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return host;
@@ -133,9 +128,8 @@ class LiveServer::Impl final : public live::Stage {
         port_ = endpoint.port();
         if (endpoint.address().is_loopback()) {
             const std::string own = endpoint.address().to_string();
-            hosts_ = {"localhost", "127.0.0.1", "[::1]",
-                      endpoint.address().is_v6() ? "[" + own + "]" : own};
-            if (address.host != own) hosts_.push_back(host_of(address.host));
+            hosts_ = {"localhost", "127.0.0.1", "::1", own};
+            if (address.host != own) hosts_.push_back(in_small_letters(address.host));
         }
         accept_next();
         thread_ = std::jthread([this] { serve(); });
@@ -164,7 +158,9 @@ class LiveServer::Impl final : public live::Stage {
     const std::string& advertisement_text() const override { return advertisement_; }
 
     bool answers_to(std::string_view host) const override {
-        return hosts_.empty() || std::ranges::count(hosts_, host_of(host)) > 0;
+        if (hosts_.empty()) return true;
+        const auto place = host_and_port(host);
+        return place && std::ranges::count(hosts_, in_small_letters(place->host)) > 0;
     }
 
     bool full() const override { return clients_.size() >= kMostClients; }
