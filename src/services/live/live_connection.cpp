@@ -11,6 +11,8 @@
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
+#include <chrono>
+#include <cstdint>
 #include <random>
 #include <utility>
 
@@ -29,6 +31,10 @@ using HttpRequest = http::request<http::empty_body>;
 using HttpResponse = http::response<http::string_body>;
 
 constexpr std::size_t kLongestRequest = 65536;
+constexpr std::uint32_t kLongestHeader = 16 * 1024;
+constexpr std::size_t kLongestTarget = 4096;
+constexpr unsigned kVersion = 11;  // of HTTP, to who says none
+constexpr std::chrono::milliseconds kFarewell{1000};
 constexpr std::size_t kChunk = 65536;  // in each of which a slow client shows that it reads
 
 std::string_view view(beast::string_view text) {
@@ -214,6 +220,12 @@ HttpResponse response_of(http::status status, std::string text, unsigned version
     return response;
 }
 
+HttpResponse busy(std::string text, unsigned version) {
+    HttpResponse refusal = response_of(http::status::service_unavailable, std::move(text), version);
+    refusal.set(http::field::retry_after, "10");
+    return refusal;
+}
+
 /// The one of the protocols that the client offers which we speak; empty where there is none. The
 /// first is the one that is specified; of the other our messages are the same.
 std::string protocol_of(const HttpRequest& request) {
@@ -225,24 +237,46 @@ std::string protocol_of(const HttpRequest& request) {
 }
 
 /// What was asked for before it is known what it is.
-class Visit final : public std::enable_shared_from_this<Visit> {
+class Visit final : public Visitor, public std::enable_shared_from_this<Visit> {
   public:
     Visit(asio::ip::tcp::socket&& socket, Stage& stage)
-        : stream_(std::move(socket)), stage_(stage) {
-        constexpr std::uint32_t kLongestHeader = 16 * 1024;
+        : stream_(std::move(socket)), deadline_(stream_.get_executor()), stage_(stage) {
         parser_.header_limit(kLongestHeader);
-        stage_.visits(1);
+        stage_.comes(*this);
     }
-    ~Visit() { stage_.visits(-1); }
+    ~Visit() override { stage_.goes(*this); }
     Visit(const Visit&) = delete;
     Visit& operator=(const Visit&) = delete;
 
     void begin() {
-        stream_.expires_after(stage_.patience());
-        http::async_read(stream_, buffer_, parser_,
-                         [self = shared_from_this()](Code error, std::size_t) {
-                             if (!error) self->answer();
-                         });
+        constexpr int kShare = 4;  // of the patience that clients have
+        deadline_.expires_after(stage_.patience() / kShare);
+        deadline_.async_wait([self = shared_from_this()](Code error) {
+            if (!error) self->refuse_late();
+        });
+        http::async_read_header(stream_, buffer_, parser_,
+                                [self = shared_from_this()](Code error, std::size_t) {
+                                    if (std::exchange(self->answered_, true)) return;
+                                    self->deadline_.cancel();
+                                    if (error) {
+                                        self->refuse(error);
+                                    } else {
+                                        self->answer();
+                                    }
+                                });
+    }
+
+    /// In one go, which a system's buffer takes.
+    void give_way() override {
+        deadline_.cancel();
+        Code ignored;
+        if (!std::exchange(answered_, true)) {
+            HttpResponse response = busy("Too many have come; try again later.\n", kVersion);
+            response.content_length(response.body().size());
+            stream_.socket().non_blocking(true, ignored);
+            http::write(stream_.socket(), response, ignored);
+        }
+        stream_.socket().close(ignored);
     }
 
   private:
@@ -256,7 +290,9 @@ class Visit final : public std::enable_shared_from_this<Visit> {
             return;
         }
         const std::string_view target = view(request.target());
-        if (target.substr(0, target.find('?')) != "/") {
+        if (target.size() > kLongestTarget) {
+            send(response_of(http::status::uri_too_long, "There is one page here, /.\n", version));
+        } else if (target.substr(0, target.find('?')) != "/") {
             send(response_of(http::status::not_found, "There is one page here, /.\n", version));
         } else if (websocket::is_upgrade(request)) {
             upgrade();
@@ -284,10 +320,7 @@ class Visit final : public std::enable_shared_from_this<Visit> {
             send(response_of(http::status::bad_request,
                              "Expected the subprotocol foxglove.websocket.v1.\n", version));
         } else if (stage_.full()) {
-            HttpResponse refusal = response_of(http::status::service_unavailable,
-                                               "As many look as may; try again later.\n", version);
-            refusal.set(http::field::retry_after, "10");
-            send(std::move(refusal));
+            send(busy("As many look as may; try again later.\n", version));
         } else {
             const auto client = std::make_shared<WebSocketClient>(std::move(stream_), stage_);
             stage_.joins(client);
@@ -295,19 +328,61 @@ class Visit final : public std::enable_shared_from_this<Visit> {
         }
     }
 
+    /// What is no request, or half of one.
+    void refuse(Code error) {
+        if (error == http::error::end_of_stream) return;  // it has nothing to ask
+        if (error == http::error::header_limit) {
+            const auto bytes = buffer_.cdata();
+            const std::string_view left(static_cast<const char*>(bytes.data()), bytes.size());
+            const bool in_its_first_line =
+                parser_.get().target().empty() && left.find('\n') == std::string_view::npos;
+            send(in_its_first_line
+                     ? response_of(http::status::uri_too_long, "There is one page here, /.\n",
+                                   kVersion)
+                     : response_of(http::status::request_header_fields_too_large,
+                                   fmt::format("Expected headers of {} bytes at the most.\n",
+                                               kLongestHeader),
+                                   kVersion));
+        } else if (error.category() == http::make_error_code(http::error::bad_method).category()) {
+            send(response_of(http::status::bad_request, "Expected a request of HTTP/1.1.\n",
+                             kVersion));
+        }
+    }
+
+    void refuse_late() {
+        if (std::exchange(answered_, true)) return;
+        stream_.cancel();  // what is awaited
+        send(response_of(http::status::request_timeout,
+                         "Nothing was asked for in time; connect and ask again.\n", kVersion));
+    }
+
     void send(HttpResponse response) {
         response.content_length(response.body().size());
         if (parser_.get().method() == http::verb::head) response.body().clear();
         response_ = std::move(response);
+        stream_.expires_after(stage_.patience());
         http::async_write(stream_, response_, [self = shared_from_this()](Code, std::size_t) {
             Code ignored;
             self->stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+            self->stream_.expires_after(kFarewell);
+            self->take_rest();
         });
     }
 
+    /// What is still sent to a socket that is closed would take the answer back.
+    void take_rest() {
+        stream_.async_read_some(asio::buffer(rest_),
+                                [self = shared_from_this()](Code error, std::size_t) {
+                                    if (!error) self->take_rest();
+                                });
+    }
+
     beast::tcp_stream stream_;
+    asio::steady_timer deadline_;  // to have asked by
     Stage& stage_;
+    bool answered_ = false;
     beast::flat_buffer buffer_;
+    std::array<char, 4096> rest_{};
     http::request_parser<http::empty_body> parser_;
     HttpResponse response_;
 };

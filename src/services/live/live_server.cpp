@@ -34,7 +34,7 @@ using asio::ip::tcp;
 using Code = boost::system::error_code;
 using Clock = asio::steady_timer::clock_type;
 
-constexpr std::size_t kMostVisits = 32;  // connections that are no clients, or not yet
+constexpr std::size_t kMostVisits = 32;  // of visitors
 /// What encoding may take of a processor: one part in so many.
 constexpr int kShare = 5;
 constexpr std::chrono::milliseconds kFarewell{1000};
@@ -176,7 +176,8 @@ class LiveServer::Impl final : public live::Stage {
         if (ending_ && clients_.empty()) context_.stop();
     }
 
-    void visits(int more) override { visits_ += more; }
+    void comes(live::Visitor& visitor) override { visitors_.push_back(&visitor); }
+    void goes(live::Visitor& visitor) override { std::erase(visitors_, &visitor); }
 
     std::shared_ptr<const live::Payload> payload(std::size_t channel) override {
         if (!payloads_[channel] && shown_.snapshot) {
@@ -222,9 +223,13 @@ class LiveServer::Impl final : public live::Stage {
             Code ignored;
             socket.set_option(tcp::socket::send_buffer_size(kBuffer), ignored);
             socket.set_option(tcp::no_delay(true), ignored);
-            if (visits_ < static_cast<int>(kMostVisits)) {
-                live::begin_connection(std::move(socket), *this);
+            // Who means to ask has asked soon: the one that is here for longest is idle.
+            if (visitors_.size() == kMostVisits) {
+                live::Visitor* const oldest = visitors_.front();
+                visitors_.erase(visitors_.begin());
+                oldest->give_way();
             }
+            live::begin_connection(std::move(socket), *this);
             accept_next();
         });
     }
@@ -312,7 +317,7 @@ class LiveServer::Impl final : public live::Stage {
     GridTiles grid_;                                              // that the payload is of
     Clock::time_point due_;
     Clock::time_point grid_due_;
-    int visits_ = 0;
+    std::vector<live::Visitor*> visitors_;  // the oldest first
     bool ending_ = false;
 
     asio::io_context context_{1};  // with it go the connections, which use what is above

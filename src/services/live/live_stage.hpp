@@ -28,6 +28,14 @@ class Client {
     virtual void end() = 0;
 };
 
+/// A connection that is no client, or not yet.
+class Visitor {
+  public:
+    virtual ~Visitor() = default;
+    /// Others wait: it is told so, and is gone.
+    virtual void give_way() = 0;
+};
+
 /// The server as its connections see it.
 class Stage {
   public:
@@ -41,8 +49,8 @@ class Stage {
     virtual bool full() const = 0;
     virtual void joins(const std::shared_ptr<Client>& client) = 0;
     virtual void leaves(const std::shared_ptr<Client>& client) = 0;
-    /// Of a connection that is no client, or not yet.
-    virtual void visits(int more) = 0;
+    virtual void comes(Visitor& visitor) = 0;
+    virtual void goes(Visitor& visitor) = 0;
     /// Of the state as it is; null where there is nothing to tell.
     virtual std::shared_ptr<const Payload> payload(std::size_t channel) = 0;
 };

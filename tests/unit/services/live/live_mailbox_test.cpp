@@ -27,7 +27,8 @@ class QuietStage final : public Stage {
     bool full() const override { return false; }
     void joins(const std::shared_ptr<Client>& /*client*/) override {}
     void leaves(const std::shared_ptr<Client>& /*client*/) override {}
-    void visits(int /*more*/) override {}
+    void comes(Visitor& /*visitor*/) override {}
+    void goes(Visitor& /*visitor*/) override {}
     std::shared_ptr<const Payload> payload(std::size_t channel) override {
         return told ? std::make_shared<const Payload>(Payload{7, std::to_string(channel)})
                     : nullptr;
