@@ -41,6 +41,7 @@ void FoxgloveReceiver::receive(const std::stop_token& stop, const Put& put, cons
         try {
             if (const std::optional<WebSocket::Frame> frame = socket_->next())
                 take(*frame, put, news);
+            tell_silence(news);
             continue;
         } catch (const ConnectionError& error) {
             problem = error.why();
@@ -98,6 +99,10 @@ bool FoxgloveReceiver::connect_again(const std::stop_token& stop, const News& ne
 
 void FoxgloveReceiver::take(const WebSocket::Frame& frame, const Put& put, const News& news) {
     try {
+        if (!frame.whole()) {
+            tell_too_large(frame, news);
+            return;
+        }
         if (frame.text) {
             take_text(frame.bytes, put, news);
             return;
@@ -109,6 +114,7 @@ void FoxgloveReceiver::take(const WebSocket::Frame& frame, const Put& put, const
         std::string bytes;
         mcap_.put_message(bytes, topic->second.number, found->received_ns, found->bytes);
         put(bytes);
+        came_ = true;
         tries_ = 0;
         const std::scoped_lock lock(mutex_);
         ++topic->second.offer->messages;
@@ -137,6 +143,38 @@ RecordedTopic* FoxgloveReceiver::note_offer(const ReceivedTopic& topic) {
     RecordedTopic& known = offers_[topic.name];
     if (RecordedTopic now = offer_of(topic); now.type != known.type) known = std::move(now);
     return &known;
+}
+
+void FoxgloveReceiver::tell_too_large(const WebSocket::Frame& frame, const News& news) {
+    std::string what = "JSON";
+    if (!frame.text) {
+        const std::optional<FoxgloveMessage> found = foxglove_message(frame.bytes);
+        const auto topic = found ? topics_.find(found->subscription) : topics_.end();
+        what = topic == topics_.end() ? "?" : topic->second.offer->name;
+    }
+    {
+        const std::scoped_lock lock(mutex_);
+        ++link_.passed_over;
+    }
+    if (!too_large_.insert(what).second) return;
+    news(message(HITOS_TEXT("Errors",
+                            "%1: a message of %2 bytes is passed over, and so is every one of more "
+                            "than %3; have the robot tell less at a time"),
+                 verbatim(what), frame.size, WebSocket::kLargest));
+}
+
+void FoxgloveReceiver::tell_silence(const News& news) {
+    constexpr std::chrono::seconds kSilence(5);
+    const auto silence = std::chrono::steady_clock::now() - waits_since_;
+    if (came_ || told_silence_ || silence < std::min(patience_, kSilence)) return;
+    if (offered_ && topics_.empty()) return;  // that was told
+    told_silence_ = true;
+    news(offered_ ? message(HITOS_TEXT("Errors",
+                                       "nothing has come yet of the topics that are received; it "
+                                       "is waited for: does the laser run?"))
+                  : message(HITOS_TEXT("Errors",
+                                       "the server offers no topic yet; they are waited for: does "
+                                       "what drives the robot run?")));
 }
 
 void FoxgloveReceiver::take_text(std::string_view text, const Put& put, const News& news) {
@@ -169,6 +207,10 @@ void FoxgloveReceiver::take_text(std::string_view text, const Put& put, const Ne
             news(message(HITOS_TEXT("Errors", "receives %1 (%2)"), verbatim(channel.topic.name),
                          verbatim(channel.topic.type)));
         }
+    }
+    if (!asked.empty() && !came_) {  // from here on messages are waited for
+        told_silence_ = false;
+        waits_since_ = std::chrono::steady_clock::now();
     }
     if (!said.channels.empty() && !std::exchange(offered_, true) && !laser) {
         news(message(

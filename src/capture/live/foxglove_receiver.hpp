@@ -47,6 +47,10 @@ class FoxgloveReceiver {
     void take(const WebSocket::Frame& frame, const Put& put, const News& news);
     RecordedTopic* note_offer(const ReceivedTopic& topic);
     void take_text(std::string_view text, const Put& put, const News& news);
+    /// Passed over; told once for each topic.
+    void tell_too_large(const WebSocket::Frame& frame, const News& news);
+    /// Once, what is waited for in vain.
+    void tell_silence(const News& news);
     /// False where it is over.
     bool connect_again(const std::stop_token& stop, const News& news);
 
@@ -66,7 +70,11 @@ class FoxgloveReceiver {
     mutable std::mutex mutex_;
     std::map<std::string, RecordedTopic> offers_;  ///< guarded by it, by name
     LinkState link_;                               ///< likewise
+    std::set<std::string> too_large_;              ///< topics that were told
     bool offered_ = false;                         // what there is was told
+    bool came_ = false;                            // a message of a topic
+    bool told_silence_ = false;                    // of what is waited for since
+    std::chrono::steady_clock::time_point waits_since_ = std::chrono::steady_clock::now();
     // Since the last message of a topic, or the beginning.
     std::chrono::steady_clock::time_point silent_since_ = std::chrono::steady_clock::now();
     int tries_ = 0;

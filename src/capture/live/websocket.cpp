@@ -8,6 +8,8 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/websocket.hpp>
 #include <chrono>
+#include <string>
+#include <utility>
 
 #include "hitos/base/host_port.hpp"
 #include "hitos/base/message.hpp"
@@ -27,7 +29,8 @@ constexpr std::string_view kScheme = "ws://";
 constexpr std::chrono::seconds kPatience(5);  // to connect
 constexpr std::chrono::seconds kSilence(10);  // after which a link that answers no ping is dead
 constexpr std::chrono::milliseconds kLook(20);
-constexpr std::size_t kLargestFrame = kLargestMessage + 64;
+constexpr std::size_t kFramePiece = std::size_t{1} << 16;  // that is read at once
+constexpr std::size_t kFrameHead = 64;                     // that is kept of what is too large
 
 [[noreturn]] void refuse(const std::string& url) {
     throw ConfigError(
@@ -68,13 +71,18 @@ WebSocketAddress::WebSocketAddress(const std::string& url) {
     if (place->port) port = std::to_string(*place->port);
 }
 
+const std::uint64_t WebSocket::kLargest = kLargestMessage + kFrameHead;
+
 struct WebSocket::Connection {
     std::string url;
     asio::io_context io;
     websocket::stream<beast::tcp_stream> stream{io};
-    beast::flat_buffer buffer{kLargestFrame};
+    beast::flat_buffer buffer{WebSocket::kLargest + kFramePiece};
+    std::string head;        // of a frame that is too large
+    std::uint64_t size = 0;  // of what has come of the frame
     bool reading = false;
-    bool read = false;
+    bool read = false;  // a piece
+    bool whole = false;
     error_code error;
 
     /// Until what was begun has come to its end.
@@ -118,7 +126,7 @@ WebSocket::WebSocket(const WebSocketAddress& address, const std::string& url,
         websocket::stream_base::decorator([&protocols](websocket::request_type& request) {
             request.set(beast::http::field::sec_websocket_protocol, protocols);
         }));
-    link.stream.read_message_max(kLargestFrame);
+    link.stream.read_message_max(0);  // what is too large is passed over here
     websocket::response_type answer;
     link.wait([&](auto done) {
         const std::string host = bracketed(address.host) + ":" + address.port;
@@ -146,26 +154,40 @@ WebSocket::~WebSocket() = default;
 
 std::optional<WebSocket::Frame> WebSocket::next() {
     Connection& link = *connection_;
-    if (link.read) {
-        link.buffer.consume(link.buffer.size());
-        link.read = false;
+    if (std::exchange(link.whole, false)) {
+        link.buffer.clear();
+        link.head.clear();
+        link.size = 0;
     }
-    if (!link.reading) {
-        link.reading = true;
-        link.stream.async_read(link.buffer, [&link](const error_code& came, std::size_t /*bytes*/) {
-            link.error = came;
-            link.reading = false;
-            link.read = true;
-        });
-    }
-    link.io.restart();
     const auto until = std::chrono::steady_clock::now() + kLook;
-    while (!link.read && link.io.run_one_until(until) > 0) {
+    while (!link.whole) {
+        if (!link.reading) {
+            link.reading = true;
+            link.stream.async_read_some(link.buffer, kFramePiece,
+                                        [&link](const error_code& came, std::size_t bytes) {
+                                            link.error = came;
+                                            link.size += bytes;
+                                            link.reading = false;
+                                            link.read = true;
+                                        });
+        }
+        link.io.restart();
+        while (!link.read && link.io.run_one_until(until) > 0) {
+        }
+        if (!std::exchange(link.read, false)) return std::nullopt;
+        if (link.error) throw lost(link.url, link.error);
+        if (link.size > kLargest) {
+            const auto begin = link.buffer.cdata();
+            if (link.head.empty())
+                link.head.assign(static_cast<const char*>(begin.data()), kFrameHead);
+            link.buffer.clear();
+        }
+        link.whole = link.stream.is_message_done();
     }
-    if (!link.read) return std::nullopt;
-    if (link.error) throw lost(link.url, link.error);
     const auto bytes = link.buffer.cdata();
-    return Frame{{static_cast<const char*>(bytes.data()), bytes.size()}, link.stream.got_text()};
+    std::string_view kept(static_cast<const char*>(bytes.data()), bytes.size());
+    if (link.size > kLargest) kept = link.head;
+    return Frame{kept, link.stream.got_text(), link.size};
 }
 
 void WebSocket::send(const std::string& text) {

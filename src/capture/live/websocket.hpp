@@ -46,9 +46,13 @@ class WebSocket {
     WebSocket(const WebSocket&) = delete;
     WebSocket& operator=(const WebSocket&) = delete;
 
+    static const std::uint64_t kLargest;
     struct Frame {
         std::string_view bytes;  ///< valid until the next call
         bool text = false;
+        /// Beyond kLargest `bytes` are its first ones alone; the others were passed over.
+        std::uint64_t size = 0;
+        bool whole() const { return size == bytes.size(); }
     };
     /// What has come; nothing where nothing comes within some milliseconds. Throws
     /// ConnectionError where it is lost.

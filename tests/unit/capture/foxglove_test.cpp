@@ -250,6 +250,62 @@ TEST(FoxgloveReceiver, KeepsWhatIsOfUseAndPassesOverWhatIsMalformed) {
     EXPECT_THAT(all.news, testing::Contains(HasSubstr("slow reader")));
 }
 
+/// A picture of a camera costs neither the connection nor what else comes.
+TEST(FoxgloveReceiver, PassesOverWhatIsTooLargeAndSaysWhatItIs) {
+    const Server server({[](Server::Socket& stream) {
+        stream.accept();
+        say(stream, kAdvertise);
+        const std::uint32_t id = subscribed(stream);
+        say(stream, data_frame(id, 1, "before"), true);
+        for (int i = 0; i < 2; ++i)
+            say(stream, data_frame(id, 2, std::string(kLargestMessage + 1000, 'x')), true);
+        say(stream, data_frame(id, 3, std::string(kLargestMessage, 'y')), true);
+        say(stream, std::string(kLargestMessage + 1000, ' '));
+        say(stream, data_frame(id, 4, "behind"), true);
+        hear(stream);
+    }});
+    const Received all = receive(server, kPatience, [](std::string_view put, const Received&) {
+        return put.ends_with("behind");
+    });
+    const std::vector<test::Said> messages = messages_of(all);
+    ASSERT_EQ(messages.size(), 3U);
+    EXPECT_EQ(messages[0].bytes, "before");
+    EXPECT_EQ(messages[1].bytes.size(), kLargestMessage);
+    EXPECT_EQ(messages[2].bytes, "behind");
+    ASSERT_EQ(all.news.size(), 3U);
+    EXPECT_THAT(all.news[1], HasSubstr("/scan: a message of 16778229 bytes is passed over"));
+    EXPECT_THAT(all.news[1], HasSubstr("more than 16777280"));
+    EXPECT_THAT(all.news[2], HasSubstr("JSON: a message of 16778216 bytes"));
+    EXPECT_EQ(server.connections(), 1);
+}
+
+/// Nobody looks at a screen where nothing happens.
+TEST(FoxgloveReceiver, SaysWhatItWaitsForInVain) {
+    std::atomic<bool> told{false};
+    const Server server({[&told](Server::Socket& stream) {
+        stream.accept();
+        say(stream, R"({"op":"serverInfo","name":"x","capabilities":[]})");
+        while (!told) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        say(stream, kAdvertise);
+        subscribed(stream);
+        hear(stream);
+    }});
+    std::vector<std::string> news;
+    std::stop_source stop;
+    FoxgloveReceiver receiver(server.url(), std::chrono::seconds(0));
+    receiver.receive(
+        stop.get_token(), [](std::string_view) {},
+        [&](const Message& one) {
+            news.push_back(one.english());
+            told = true;
+            if (news.size() == 3) stop.request_stop();
+        });
+    ASSERT_EQ(news.size(), 3U);
+    EXPECT_THAT(news[0], HasSubstr("the server offers no topic yet"));
+    EXPECT_THAT(news[1], HasSubstr("receives /scan"));
+    EXPECT_THAT(news[2], HasSubstr("nothing has come yet"));
+}
+
 /// Whenever the connection breaks, and however: what had come stays, and what comes after joins on.
 TEST(FoxgloveReceiver, LosesNothingThatCameInAHundredDisconnections) {
     std::vector<Server::Manner> manners;
