@@ -64,6 +64,12 @@ std::uint64_t FileBytes::skip(std::uint64_t count) {
     return count;
 }
 
+void FileBytes::go_to(std::uint64_t position) {
+    file_.seek(position);
+    begin_ = end_ = 0;
+    position_ = position;
+}
+
 std::size_t Section::read(std::span<char> out) {
     const std::size_t wanted = std::min<std::uint64_t>(out.size(), left_);
     const std::size_t got = whole_.read(out.first(wanted));

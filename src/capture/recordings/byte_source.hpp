@@ -29,11 +29,16 @@ class FileBytes final : public ByteSource {
 
     std::size_t read(std::span<char> out) override;
     std::uint64_t skip(std::uint64_t count) override;
+    /// The next byte that is read is this one, which there is.
+    void go_to(std::uint64_t position);
     /// How many bytes were read or passed over.
     std::uint64_t position() const { return position_; }
     std::uint64_t size() const { return file_.size(); }
     const FileExtent& extent() const { return file_.extent(); }
     /// Its last bytes, wherever the next read() begins; fewer where it has fewer.
+    std::size_t read_at(std::uint64_t offset, std::span<char> out) const {
+        return file_.read_at(offset, out);
+    }
     std::size_t read_end(std::span<char> out) const {
         return file_.read_at(size() - std::min<std::uint64_t>(size(), out.size()), out);
     }
@@ -56,6 +61,8 @@ class Section final : public ByteSource {
     std::uint64_t left() const { return left_; }
     /// No more than so many bytes are left.
     void shorten(std::uint64_t left) { left_ = std::min(left_, left); }
+    /// So many are left, wherever the source was sent to.
+    void set_left(std::uint64_t left) { left_ = left; }
 
     /// The next section of so many bytes. Throws FormatError where fewer are left.
     Section section(std::uint64_t length);

@@ -75,7 +75,11 @@ std::optional<RecordedMessage> ChunkedRecording::next() {
     RecordedMessage found;
     while (!ended_) {
         Section& from = chunk_ ? *chunk_->content : records_;
-        record_begin_ = chunk_ ? chunk_->size - from.left() : file_.position();
+        if (!chunk_) {
+            if (!std::exchange(unknown_, false)) before_ = begin_;
+            begin_ = file_.position();
+        }
+        record_begin_ = chunk_ ? chunk_->size - from.left() : begin_;
         const std::uint64_t left = from.left();
         opened_ = false;
         try {
@@ -87,18 +91,31 @@ std::optional<RecordedMessage> ChunkedRecording::next() {
                 continue;
             }
         } catch (const FormatError& error) {
-            note_here(error.problem());
             if (chunk_ && !cut_) {
+                note_here(error.problem());
                 chunk_->packed.skip(chunk_->packed.left());
                 chunk_.reset();
                 continue;
             }
             if (!chunk_ && opened_ && records_.left() >= behind_record_) {
+                note_here(error.problem());
                 records_.skip(records_.left() - behind_record_);
                 continue;
             }
-            ended_ = true;  // nothing says where the next record begins
-            return std::nullopt;
+            // Its length does not say where the next record begins, or that of the one before did
+            // not say where this one does.
+            const auto again = chunk_ ? std::nullopt : find_again();
+            if (!again) {
+                note_here(error.problem());
+                ended_ = true;
+                return std::nullopt;
+            }
+            note_here(message(HITOS_TEXT("Errors", "%1; reading goes on at byte %2"),
+                              error.problem(), *again));
+            file_.go_to(*again);
+            begin_ = *again;  // what is wrong now lies behind it
+            records_.set_left((grows_ ? FileExtent{}.limit : file_.size()) - *again);
+            continue;
         }
         ended_ = true;
         if (const Message problem = problem_at_end(); !problem.empty()) {
@@ -120,17 +137,14 @@ void ChunkedRecording::note_here(const Message& problem) {
 
 Section ChunkedRecording::open_record(Section& from, std::uint64_t length, bool may_be_cut) {
     // A record that is being written is waited for, so that it is read as from a whole file.
-    if (grows_ && &from == &records_ && length > 0 && length <= kLargestGrowing &&
-        !file_.extent().growth->wait_beyond(file_.position() + length - 1)) {
-        records_.shorten(file_.size() - file_.position());
-        grows_ = false;
-    }
+    if (grows_ && &from == &records_ && length <= kLargestGrowing) await_record(length);
     if (grows_ && length > kLargestGrowing) {
         throw FormatError({}, 0,
                           HITOS_TEXT("Errors", "found a length of %1 bytes, expected at most %2"),
                           length, kLargestGrowing);
     }
-    if (length > from.left() && may_be_cut) {
+    const bool too_long = length > from.left();
+    if (too_long && may_be_cut && !find_records(file_.position(), file_.size())) {
         cut_ = true;
         return {from, from.left()};
     }
@@ -140,6 +154,47 @@ Section ChunkedRecording::open_record(Section& from, std::uint64_t length, bool 
         opened_ = true;
     }
     return record;
+}
+
+void ChunkedRecording::no_more_comes() {
+    records_.shorten(file_.size() - file_.position());
+    grows_ = false;
+}
+
+void ChunkedRecording::await_record(std::uint64_t length) {
+    constexpr std::uint64_t kLook = 4096;  // at what has come meanwhile, then at half as much again
+    const std::uint64_t begin = file_.position();
+    while (file_.size() - begin < length) {
+        const std::uint64_t there = file_.size() - begin;
+        if (find_records(begin, begin + there)) {
+            throw FormatError(
+                {}, 0,
+                HITOS_TEXT("Errors",
+                           "found a length of %1 bytes, within which other records stand"),
+                length);
+        }
+        const std::uint64_t next = std::min(length, there + std::max(kLook, there / 2));
+        if (!file_.extent().growth->wait_beyond(begin + next - 1)) {
+            no_more_comes();
+            return;
+        }
+    }
+}
+
+std::optional<std::uint64_t> ChunkedRecording::find_again() {
+    const std::uint64_t begin = before_ + 1;
+    for (;;) {
+        const std::uint64_t end = file_.size();
+        const auto found = find_records(begin, end);
+        if (found || !grows_) return found;
+        const std::uint64_t more = std::max<std::uint64_t>(1, (end - begin) / 2);
+        if (!file_.extent().growth->wait_beyond(end + more - 1)) no_more_comes();
+    }
+}
+
+std::optional<std::uint64_t> ChunkedRecording::find_records(std::uint64_t /*begin*/,
+                                                            std::uint64_t /*end*/) const {
+    return std::nullopt;
 }
 
 void ChunkedRecording::enter_chunk(Section& record, std::string_view compression,

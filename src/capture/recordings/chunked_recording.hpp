@@ -27,6 +27,9 @@ class ChunkedRecording : public Recording {
     virtual Step read_record(Section& from, RecordedMessage& out) = 0;
     /// Called once behind the last byte: what is wrong with how the file ends; empty where nothing.
     virtual Message problem_at_end() = 0;
+    /// The first byte from `begin` on, before `end`, at which records stand again; nothing where
+    /// there is none, or the kind cannot tell.
+    virtual std::optional<std::uint64_t> find_records(std::uint64_t begin, std::uint64_t end) const;
 
     /// What follows in the record is a chunk: its records come next. `size` is what it unpacks to,
     /// `checksum` the CRC-32 of that, 0 for none. Throws FormatError.
@@ -38,6 +41,8 @@ class ChunkedRecording : public Recording {
     /// The record that is stated to have so many bytes. The last one may have fewer, so that what
     /// there is of a chunk is read.
     Section open_record(Section& from, std::uint64_t length, bool may_be_cut);
+    /// The record is of a kind that may be none.
+    void note_unknown() { unknown_ = !chunk_; }
     bool in_chunk() const { return chunk_ != nullptr; }
     Topics& topics() { return use_.topics; }
     Section& records() { return records_; }
@@ -49,6 +54,12 @@ class ChunkedRecording : public Recording {
   private:
     struct Chunk;
     void leave_chunk(bool short_of_size);
+    /// Until all of the record is there, or nothing more comes. Throws FormatError where others
+    /// stand within it.
+    void await_record(std::uint64_t length);
+    /// Behind a damaged length; what is still to come is waited for.
+    std::optional<std::uint64_t> find_again();
+    void no_more_comes();
     Message placed(const Message& problem) const;
     void note_here(const Message& problem);
 
@@ -58,6 +69,9 @@ class ChunkedRecording : public Recording {
     Section records_;
     std::unique_ptr<Chunk> chunk_;
     std::uint64_t record_begin_ = 0;   ///< of the record, in its chunk or in the file
+    std::uint64_t begin_ = 0;          ///< of the last record outside of chunks,
+    std::uint64_t before_ = 0;         ///< and of the one of a known kind before it
+    bool unknown_ = false;             ///< the last one is of none
     std::uint64_t behind_record_ = 0;  ///< bytes of the file behind the record outside of chunks
     bool opened_ = false;              ///< that record's length is sound
     std::string buffer_;

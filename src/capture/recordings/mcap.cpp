@@ -2,16 +2,21 @@
 // MCAP, the container of ROS 2 recordings [mcap.dev/spec]. It is read from front to back: neither
 // index nor summary is needed.
 #include <array>
+#include <limits>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "hitos/base/error.hpp"
 #include "recordings/chunked_recording.hpp"
 #include "recordings/mcap_ops.hpp"
+#include "recordings/mcap_search.hpp"
 
 namespace hitos {
 namespace {
 
+constexpr std::uint64_t kDataEnd = 4;  // bytes of such records
+constexpr std::uint64_t kFooter = 20;
 constexpr std::string_view kMcapMagicOfAny = kMcapMagic.substr(0, 5);
 
 class Mcap final : public ChunkedRecording {
@@ -39,16 +44,26 @@ class Mcap final : public ChunkedRecording {
     Step read_record(Section& from, RecordedMessage& out) override {
         const bool outside = !in_chunk();
         // Behind the last record, where no end of the data was written.
-        if (outside && closed_ && from.left() == kMcapMagic.size()) return Step::end;
+        if (outside && closed_ && from.left() <= kMcapMagic.size()) {
+            if (from.left() < kMcapMagic.size() || has_footer()) refuse_length(from);
+            return Step::end;
+        }
         std::array<char, 1> first{};
         if (from.read(first) == 0) return Step::end;
         const auto op = static_cast<McapOp>(first.front());
         const std::uint64_t length = from.take_u64();
+        const std::uint64_t most = outside ? longest(op) : length;
+        if (length > most) {
+            throw FormatError(
+                {}, 0, HITOS_TEXT("Errors", "found a length of %1 bytes, expected at most %2"),
+                length, most);
+        }
         // Before its length is believed: zeros would be a record each nine.
         if (op == McapOp::none) {
             throw FormatError({}, 0, HITOS_TEXT("Errors", "found a record of the unknown kind %1"),
                               0);
         }
+        chunks_ = chunks_ || (outside && op == McapOp::chunk);
         Section record = open_record(from, length, op == McapOp::chunk && outside);
         switch (op) {
             case McapOp::message:
@@ -68,10 +83,19 @@ class Mcap final : public ChunkedRecording {
                     if (grows()) wait_for_end(op, from, record);
                     return Step::end;
                 }
+                if (op > McapOp::data_end) note_unknown();
                 break;  // indexes, attachments, metadata, and what later versions add
         }
         record.finish();
         return Step::passed;
+    }
+
+    std::optional<std::uint64_t> find_records(std::uint64_t begin,
+                                              std::uint64_t end) const override {
+        const McapSearch search(
+            [this](std::uint64_t at, std::span<char> out) { return file().read_at(at, out); },
+            [this](std::uint16_t channel) { return channels_.contains(channel); }, chunks_);
+        return search.find(begin, end);
     }
 
     Message problem_at_end() override {
@@ -83,6 +107,26 @@ class Mcap final : public ChunkedRecording {
     }
 
   private:
+    /// Of the records behind the data.
+    static std::uint64_t longest(McapOp op) {
+        if (op == McapOp::data_end) return kDataEnd;
+        return op == McapOp::footer ? kFooter : std::numeric_limits<std::uint64_t>::max();
+    }
+    bool has_footer() const {
+        constexpr std::uint64_t kLength = 1 + sizeof(std::uint64_t) + kFooter + kMcapMagic.size();
+        std::array<char, kLength> last{};
+        return file().read_end(last) == last.size() &&
+               static_cast<McapOp>(last.front()) == McapOp::footer &&
+               static_cast<std::uint64_t>(last[1]) == kFooter;
+    }
+    /// Of the record before, which took in what the file ends with.
+    [[noreturn]] static void refuse_length(const Section& from) {
+        throw FormatError({}, 0,
+                          HITOS_TEXT("Errors",
+                                     "the record before is longer than can be: it takes in the end "
+                                     "of the data, and leaves %1 bytes"),
+                          from.left());
+    }
     bool ends_as_mcap() const {
         std::array<char, kMcapMagic.size()> last{};
         const std::size_t got = file().read_end(last);
@@ -154,6 +198,7 @@ class Mcap final : public ChunkedRecording {
     std::map<std::uint16_t, std::string> types_;
     std::map<std::uint16_t, Topic*> channels_;
     bool closed_ = false;
+    bool chunks_ = false;  // there are some
 };
 
 }  // namespace
