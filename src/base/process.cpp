@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
@@ -16,6 +17,7 @@
 #include <ctime>
 #include <exception>
 #include <filesystem>
+#include <limits>
 #include <new>
 #include <span>
 #include <string>
@@ -147,9 +149,8 @@ double patience_s() {
     return seconds > 0.0 ? seconds : kPatience;
 }
 
-/// Ends the process where it goes on for too long after it was asked to end.
-void watch_patience(std::binary_semaphore& over) {
-    const double patience = patience_s();
+/// Ends the process where it goes on for too long after it was asked to end, or was asked again.
+void watch_patience(std::binary_semaphore& over, double patience) {
     while (!StopByRequest::wanted()) {
         if (over.try_acquire_for(kLook)) return;
     }
@@ -158,8 +159,11 @@ void watch_patience(std::binary_semaphore& over) {
         const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
         if (seconds > patience || hurry != 0) {
             std::fprintf(stderr,
-                         "%s: ended before all was written, as it was asked to; what is written is "
-                         "whole\n",
+                         std::isinf(patience)
+                             ? "\n%s: stopped at once, as it was asked to a second time; what was "
+                               "not finished is cleared\n"
+                             : "%s: ended before all was written, as it was asked to; what is "
+                               "written is whole\n",
                          program_name);
             end_early(StopByRequest::status());
         }
@@ -171,10 +175,10 @@ void watch_patience(std::binary_semaphore& over) {
 StopByRequest::StopByRequest(Patience patience) {
     asked = 0;
     hurry = 0;
-    if (patience == Patience::two_seconds) {
-        watch_ = std::jthread([this] { watch_patience(over_); });
-        watched = 1;
-    }
+    const double seconds =
+        patience == Patience::two_seconds ? patience_s() : std::numeric_limits<double>::infinity();
+    watch_ = std::jthread([this, seconds] { watch_patience(over_, seconds); });
+    watched = 1;
     patient = 1;
 }
 
