@@ -189,14 +189,13 @@ struct EndOfFollowing {
     throw CLI::RuntimeError(StopByRequest::status());
 }
 
-void run(const RunOptions& options) {
+void run(const RunOptions& options, std::optional<LiveRun>& live) {
     // Before there is anything to be cleared. Of a tour that is followed the first request is its
     // end, and what follows on that takes its time.
     const StopByRequest request(options.live.follow ? StopByRequest::Patience::endless
                                                     : StopByRequest::Patience::two_seconds);
     std::optional<ServeRun> serve;  // first: its port may be another's
     if (!options.serve.empty()) serve.emplace(options.serve, options.log);
-    std::optional<LiveRun> live;
     ReadOptions opening;
     if (options.live.follow) {
         if (options.configuration.file == "-" || options.configuration.file == "/dev/stdin") {
@@ -363,6 +362,16 @@ void run(const RunOptions& options) {
     if (stopped || (!whole && !live && StopByRequest::wanted()))
         throw CLI::RuntimeError(StopByRequest::status());
     if (options.strict && !whole) throw CLI::RuntimeError(kNotWhole);
+}
+
+void run(const RunOptions& options) {
+    std::optional<LiveRun> live;
+    try {
+        run(options, live);
+    } catch (...) {
+        if (live) live->tell_early_end();
+        throw;
+    }
 }
 
 /// "svg (map.svg: a figure), …": all that --write knows.

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -96,7 +97,8 @@ LiveRun::LiveRun(const LiveOptions& options, const std::string& log, const std::
             server ? LiveSource::of_server(log, name, replace,
                                            std::chrono::seconds(std::llround(options.patience_s)))
                    : LiveSource::of_pipe(STDIN_FILENO, name, replace, goes_on);
-        if (source_) fmt::print(stderr, "received: {}\n", on_one_line(file()));
+        received_ = source_ != nullptr;
+        if (received_) fmt::print(stderr, "received: {}\n", on_one_line(file()));
     } else {
         source_ = std::make_unique<LiveSource>(fs::path(log));
     }
@@ -200,6 +202,23 @@ std::string LiveRun::behind() const {
     constexpr double kWorthSaying = 1.0;  // [s]
     const double seconds = behind_s().value_or(0.0);
     return seconds < kWorthSaying ? "" : fmt::format("  {:.0f} s behind", seconds);
+}
+
+void LiveRun::tell_early_end() {
+    end();
+    if (!received_ || steps_ > 0) return;
+    const std::string name = on_one_line(file());
+    if (!source_->holds_something()) {
+        std::error_code ignored;
+        fs::remove(file(), ignored);
+        fmt::print(stderr, "nothing was received: {} is removed\n", name);
+        return;
+    }
+    fmt::print(stderr,
+               "what was received is kept in {0}: \"hitos-cli info {0}\" says what it holds, and "
+               "\"hitos-cli run {0} --out DIR\" maps it; to receive anew say --replace, or another "
+               "name with --received\n",
+               name);
 }
 
 void LiveRun::tell(Report& report) const {

@@ -62,6 +62,9 @@ class LiveRun {
     /// The same in words; empty where it is not.
     std::string behind() const;
     void tell(Report& report) const;
+    /// Where the run has failed before it took a scan: what becomes of what was received. It is no
+    /// longer waited for more.
+    void tell_early_end();
     /// Why the tour ended before its time; nothing where it did not.
     std::optional<FileError> problem() const { return source_->problem(); }
     /// Why not all poses were written; nothing where they were.
@@ -75,6 +78,7 @@ class LiveRun {
 
     LiveOptions options_;
     std::unique_ptr<LiveSource> source_;
+    bool received_ = false;  ///< and kept here; else the file is another program's
     std::optional<PoseLines> poses_;
     mutable std::mutex mutex_;
     std::vector<float> latencies_s_;  ///< of scans that came while it ran

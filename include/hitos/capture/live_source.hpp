@@ -2,6 +2,7 @@
 // A tour that comes in while it is mapped.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -82,6 +83,8 @@ class LiveSource {
                                             std::size_t scans,
                                             const std::function<bool(const Opening&)>& told);
 
+    /// Whether anything has come that is worth to be kept.
+    bool holds_something() const { return holds_something_; }
     /// No more is waited for: the tour is what has come by now.
     void end();
     /// What a server offers, with how many messages have come; nothing where none is asked.
@@ -101,6 +104,7 @@ class LiveSource {
     std::filesystem::path file_;
     std::shared_ptr<FileGrowth> growth_;
     std::shared_ptr<const FoxgloveReceiver> server_;  ///< null where none is asked
+    std::atomic<bool> holds_something_ = true;
     std::mutex ending_;
     mutable std::mutex mutex_;
     std::optional<FileError> problem_;

@@ -113,8 +113,8 @@ void FoxgloveReceiver::take(const WebSocket::Frame& frame, const Put& put, const
         if (topic == topics_.end()) return;  // of one that was given up
         std::string bytes;
         mcap_.put_message(bytes, topic->second.number, found->received_ns, found->bytes);
-        put(bytes);
         came_ = true;
+        put(bytes);
         tries_ = 0;
         const std::scoped_lock lock(mutex_);
         ++topic->second.offer->messages;

@@ -37,6 +37,8 @@ class FoxgloveReceiver {
     /// Until it is asked to stop, or a lost connection was not found again for as long as patience
     /// goes. Throws what `put` throws.
     void receive(const std::stop_token& stop, const Put& put, const News& news);
+    /// Whether a message of a topic came; for `put`.
+    bool came() const { return came_; }
 
     // By any thread:
     /// What the server has offered, with how many messages have come.

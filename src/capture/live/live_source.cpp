@@ -164,8 +164,13 @@ std::unique_ptr<LiveSource> LiveSource::of_server(const std::string& url,
     file += ".mcap";
     const auto target = new_file(file, replace);
     const auto receive = [=](const std::stop_token& stop, LiveSource& source) {
+        source.holds_something_ = false;  // but for what describes it
         receiver->receive(
-            stop, [&](std::string_view bytes) { append(target->number(), file, bytes); },
+            stop,
+            [&](std::string_view bytes) {
+                append(target->number(), file, bytes);
+                source.holds_something_ = receiver->came();
+            },
             [&](Message news) {
                 const std::scoped_lock lock(source.mutex_);
                 source.news_.push_back(std::move(news));
