@@ -80,8 +80,8 @@ struct RecordingProblem {
 };
 
 /// A recording's messages from front to back, as they stand in the file; those of topics that are
-/// not wanted are counted and not handed out. Damage ends what it is in, a chunk or the file, and
-/// is told. Memory does not grow with the file.
+/// not wanted are counted and not handed out. Damage ends what it is in: a record, a chunk, or the
+/// file where no record is found behind it; and is told. Memory does not grow with the file.
 class Recording {
   public:
     virtual ~Recording() = default;
