@@ -106,7 +106,7 @@ std::optional<RecordedMessage> ChunkedRecording::next() {
             // not say where this one does.
             const auto again = chunk_ ? std::nullopt : find_again();
             if (!again) {
-                note_here(error.problem());
+                if (!is_opening()) note_here(error.problem());
                 ended_ = true;
                 return std::nullopt;
             }
@@ -224,7 +224,9 @@ void ChunkedRecording::leave_chunk(bool short_of_size) {
         !cut_ && !short_of_size &&
         (chunk_->unpacker ? *chunk_->unpacker : static_cast<ByteSource&>(chunk_->packed))
                 .read({&beyond, 1}) > 0;
-    if (cut_ || short_of_size) {
+    if (cut_ && is_opening()) {
+        ended_ = true;
+    } else if (cut_ || short_of_size) {
         note_here(message(HITOS_TEXT("Errors", "the data end early")));
         ended_ = cut_;
     } else if (more) {

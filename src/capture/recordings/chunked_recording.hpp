@@ -49,6 +49,8 @@ class ChunkedRecording : public Recording {
     const FileBytes& file() const { return file_; }
     /// Whether it is read as long as it is being written.
     bool grows() const { return grows_; }
+    /// Whether it is read up to some byte alone: that it ends there is no damage.
+    bool is_opening() const { return file_.extent().limit != FileExtent{}.limit; }
     bool is_followed() const { return file_.extent().growth != nullptr; }
 
   private:

@@ -99,7 +99,7 @@ class Mcap final : public ChunkedRecording {
     }
 
     Message problem_at_end() override {
-        if (closed_ || (is_followed() && ends_as_mcap())) return {};
+        if (closed_ || is_opening() || (is_followed() && ends_as_mcap())) return {};
         return message(HITOS_TEXT("Errors",
                                   "the recording was not closed or is cut off, as its last bytes "
                                   "are not MCAP's; all before byte %1 was read"),

@@ -72,7 +72,8 @@ std::optional<std::uint64_t> McapSearch::behind(std::span<const char> head, std:
 bool McapSearch::is_chain(std::uint64_t begin, std::uint64_t end) const {
     for (int records = 0; records < kChain; ++records) {
         std::array<char, kLongHead> head{};
-        const std::size_t got = read_at_(begin, head);
+        const std::size_t there = std::min<std::uint64_t>(end - begin, head.size());
+        const std::size_t got = read_at_(begin, std::span(head).first(there));
         if (std::string_view(head.data(), got).starts_with(kMcapMagic)) return records > 1;
         if (got < kLongHead) return false;
         const auto next = behind(head, begin, end, records == 0);

@@ -182,7 +182,7 @@ TEST(RunWorker, AStepThatWaitsForATourToComeShowsTheStateBeforeIt) {
         const auto growth = configuration.source.read.growth;
         RunWorker worker(configuration, std::make_unique<GrowingReader>(growth, readings));
         worker.run();
-        const std::uint64_t scans = readings > 5 ? 5 : 3;  // the fourth waits for its odometry
+        const std::uint64_t scans = readings > 5 ? 5 : 4;  // the fifth waits for its odometry
         std::shared_ptr<const Snapshot> shown;
         while (!shown || shown->steps < scans) {
             worker.request_snapshot();
