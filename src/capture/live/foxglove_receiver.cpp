@@ -26,10 +26,12 @@ RecordedTopic offer_of(const ReceivedTopic& topic) {
 
 }  // namespace
 
-FoxgloveReceiver::FoxgloveReceiver(std::string url, std::chrono::seconds patience)
+FoxgloveReceiver::FoxgloveReceiver(std::string url, std::chrono::seconds patience,
+                                   std::chrono::seconds silence)
     : url_(std::move(url)),
       address_(url_),
       patience_(patience),
+      silence_(silence),
       socket_(std::make_unique<WebSocket>(address_, url_, kProtocols)) {}
 
 void FoxgloveReceiver::receive(const std::stop_token& stop, const Put& put, const News& news) {
@@ -164,9 +166,8 @@ void FoxgloveReceiver::tell_too_large(const WebSocket::Frame& frame, const News&
 }
 
 void FoxgloveReceiver::tell_silence(const News& news) {
-    constexpr std::chrono::seconds kSilence(5);
     const auto silence = std::chrono::steady_clock::now() - waits_since_;
-    if (came_ || told_silence_ || silence < std::min(patience_, kSilence)) return;
+    if (came_ || told_silence_ || silence < silence_) return;
     if (offered_ && topics_.empty()) return;  // that was told
     told_silence_ = true;
     news(offered_ ? message(HITOS_TEXT("Errors",

@@ -31,8 +31,10 @@ class FoxgloveReceiver {
     using News = std::function<void(Message news)>;
 
     /// Connects. Throws ConfigError where the address is none, FileError where nobody answers or
-    /// somebody who does not speak the protocol.
-    FoxgloveReceiver(std::string url, std::chrono::seconds patience);
+    /// somebody who does not speak the protocol. What is waited for in vain for as long as
+    /// `silence` is told.
+    FoxgloveReceiver(std::string url, std::chrono::seconds patience,
+                     std::chrono::seconds silence = std::chrono::seconds(5));
 
     /// Until it is asked to stop, or a lost connection was not found again for as long as patience
     /// goes. Throws what `put` throws.
@@ -59,6 +61,7 @@ class FoxgloveReceiver {
     std::string url_;
     WebSocketAddress address_;
     std::chrono::seconds patience_;
+    std::chrono::seconds silence_;
     std::unique_ptr<WebSocket> socket_;
     ReceivedMcap mcap_;
     struct Subscribed {

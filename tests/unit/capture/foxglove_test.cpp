@@ -292,7 +292,7 @@ TEST(FoxgloveReceiver, SaysWhatItWaitsForInVain) {
     }});
     std::vector<std::string> news;
     std::stop_source stop;
-    FoxgloveReceiver receiver(server.url(), std::chrono::seconds(0));
+    FoxgloveReceiver receiver(server.url(), kPatience, std::chrono::seconds(0));
     receiver.receive(
         stop.get_token(), [](std::string_view) {},
         [&](const Message& one) {
