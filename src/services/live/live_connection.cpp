@@ -11,7 +11,6 @@
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
-#include <chrono>
 #include <cstdint>
 #include <random>
 #include <utility>
@@ -33,8 +32,7 @@ using HttpResponse = http::response<http::string_body>;
 constexpr std::size_t kLongestRequest = 65536;
 constexpr std::uint32_t kLongestHeader = 16 * 1024;
 constexpr std::size_t kLongestTarget = 4096;
-constexpr unsigned kVersion = 11;  // of HTTP, to who says none
-constexpr std::chrono::milliseconds kFarewell{1000};
+constexpr unsigned kVersion = 11;      // of HTTP, to who says none
 constexpr std::size_t kChunk = 65536;  // in each of which a slow client shows that it reads
 
 std::string_view view(beast::string_view text) {
@@ -364,7 +362,7 @@ class Visit final : public Visitor, public std::enable_shared_from_this<Visit> {
         http::async_write(stream_, response_, [self = shared_from_this()](Code, std::size_t) {
             Code ignored;
             self->stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
-            self->stream_.expires_after(kFarewell);
+            self->stream_.expires_after(self->stage_.patience());
             self->take_rest();
         });
     }

@@ -97,7 +97,8 @@ TEST(LiveVisitors, WhoAsksForNothingIsToldSo) {
     const LiveServer server({}, "a tour", 100ms);
     EXPECT_THAT(answer_to(server, ""), StartsWith("HTTP/1.1 408"));
     EXPECT_THAT(answer_to(server, "GET / HTTP/1.1\r\nHost: loc"), StartsWith("HTTP/1.1 408"));
-    Visitor gone(server);
+    const LiveServer patient({}, "a tour", 1h);
+    Visitor gone(patient);
     gone.says_no_more();
     EXPECT_EQ(gone.answer(), "");
 }
