@@ -12,9 +12,6 @@
 namespace hitos {
 namespace {
 
-/// A longer record is not waited for.
-constexpr std::uint64_t kLargestGrowing = 2 * kLargestChunk;
-
 /// Passes bytes on and remembers their checksum, so that those passed over are read too.
 class Summed final : public ByteSource {
   public:
@@ -137,12 +134,7 @@ void ChunkedRecording::note_here(const Message& problem) {
 
 Section ChunkedRecording::open_record(Section& from, std::uint64_t length, bool may_be_cut) {
     // A record that is being written is waited for, so that it is read as from a whole file.
-    if (grows_ && &from == &records_ && length <= kLargestGrowing) await_record(length);
-    if (grows_ && length > kLargestGrowing) {
-        throw FormatError({}, 0,
-                          HITOS_TEXT("Errors", "found a length of %1 bytes, expected at most %2"),
-                          length, kLargestGrowing);
-    }
+    if (grows_ && &from == &records_) await_record(length);
     const bool too_long = length > from.left();
     if (too_long && may_be_cut && !find_records(file_.position(), file_.size())) {
         cut_ = true;
