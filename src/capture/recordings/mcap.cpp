@@ -94,7 +94,8 @@ class Mcap final : public ChunkedRecording {
                                               std::uint64_t end) const override {
         const McapSearch search(
             [this](std::uint64_t at, std::span<char> out) { return file().read_at(at, out); },
-            [this](std::uint16_t channel) { return channels_.contains(channel); }, chunks_);
+            [this](std::uint16_t channel) { return channels_.contains(channel); }, chunks_,
+            grows());
         return search.find(begin, end);
     }
 

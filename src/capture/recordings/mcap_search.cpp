@@ -79,7 +79,7 @@ bool McapSearch::is_chain(std::uint64_t begin, std::uint64_t end) const {
         const auto next = behind(head, begin, end, records == 0);
         if (!next) return false;
         begin = *next;
-        if (begin == end) return records > 0;
+        if (begin == end && !grows_) return records > 0;
     }
     return true;
 }

@@ -22,8 +22,9 @@ class McapSearch {
 
     /// `chunks`: the file's messages are in chunks, whose content, where it is not packed, looks
     /// like a file itself.
-    McapSearch(ReadAt read_at, Knows knows, bool chunks)
-        : read_at_(std::move(read_at)), knows_(std::move(knows)), chunks_(chunks) {}
+    /// `grows`: what it ends with now is not its end.
+    McapSearch(ReadAt read_at, Knows knows, bool chunks, bool grows)
+        : read_at_(std::move(read_at)), knows_(std::move(knows)), chunks_(chunks), grows_(grows) {}
 
     /// The first byte from `begin` on at which several records stand, each where the one before
     /// ends, all before `end`.
@@ -38,6 +39,7 @@ class McapSearch {
     ReadAt read_at_;
     Knows knows_;
     bool chunks_;
+    bool grows_;
 };
 
 }  // namespace hitos
