@@ -137,6 +137,7 @@ TEST(McapDamage, IsFoundInAFileThatGrows) {
             found.all.push_back({one->topic->name, one->topic->type, std::string(one->bytes),
                                  static_cast<std::uint64_t>(one->log_time_ns)});
         }
+        writer.join();
         growth->end();
         while (const auto one = recording->next()) {
             found.all.push_back({one->topic->name, one->topic->type, std::string(one->bytes),
