@@ -31,7 +31,7 @@ bool is_websocket_address(std::string_view source);
 struct LinkState {
     bool connected = true;
     std::uint64_t losses = 0;       ///< how often it was lost
-    std::uint64_t passed_over = 0;  ///< frames that are not of the protocol
+    std::uint64_t passed_over = 0;  ///< messages that are too large, or not of the protocol
 };
 
 class FoxgloveReceiver;

@@ -197,8 +197,8 @@ void ConnectDialog::show_received() {
                               tr("the connection %1 times"));
     }
     if (received.link.passed_over > 0) {
-        lost << counted_words(received.link.passed_over, tr("1 frame that is not of the protocol"),
-                              tr("%1 frames that are not of the protocol"));
+        lost << counted_words(received.link.passed_over, tr("1 message passed over"),
+                              tr("%1 messages passed over"));
     }
     losses_->setText(lost.isEmpty() ? tr("nothing") : lost.join(", "));
 }

@@ -3346,6 +3346,38 @@
         <source>it ended before the first scan had come</source>
         <translation>terminó antes de que llegara el primer barrido</translation>
     </message>
+    <message>
+        <source>%1: a message of %2 bytes is passed over, and so is every one of more than %3; have the robot tell less at a time</source>
+        <translation>%1: se pasa por alto un mensaje de %2 bytes, y también todos los de más de %3; haga que el robot envíe menos de una vez</translation>
+    </message>
+    <message>
+        <source>nothing has come yet of the topics that are received; it is waited for: does the laser run?</source>
+        <translation>aún no ha llegado nada de los temas que se reciben; se espera: ¿funciona el láser?</translation>
+    </message>
+    <message>
+        <source>the server offers no topic yet; they are waited for: does what drives the robot run?</source>
+        <translation>el servidor aún no ofrece ningún tema; se esperan: ¿está en marcha lo que mueve el robot?</translation>
+    </message>
+    <message>
+        <source>%1; reading goes on at byte %2</source>
+        <translation>%1; la lectura sigue en el byte %2</translation>
+    </message>
+    <message>
+        <source>found a length of %1 bytes, within which other records stand</source>
+        <translation>se encontró una longitud de %1 bytes, dentro de la cual hay otros registros</translation>
+    </message>
+    <message>
+        <source>the record before is longer than can be: it takes in the end of the data, and leaves %1 bytes</source>
+        <translation>el registro anterior es más largo de lo posible: abarca el final de los datos y deja %1 bytes</translation>
+    </message>
+    <message>
+        <source>change %1 names scan %2 of the map, which is held (source.hold) and would have to get a key scan there; name scan %3, its key before that, or do not hold the map</source>
+        <translation>el cambio %1 nombra el barrido %2 del mapa, que se mantiene (source.hold) y ahí tendría que recibir un barrido clave; nombre el barrido %3, su barrido clave anterior, o no mantenga el mapa</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is of the map of %2, which stays as it is (source.hold): change it in that map&apos;s own run, or go on with the map without holding it</source>
+        <translation>«%1» es del mapa de %2, que se queda como está (source.hold): cámbielo en la ejecución propia de ese mapa, o siga con el mapa sin mantenerlo</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -6189,14 +6221,6 @@
         <translation>la conexión %1 veces</translation>
     </message>
     <message>
-        <source>1 frame that is not of the protocol</source>
-        <translation>1 trama que no es del protocolo</translation>
-    </message>
-    <message>
-        <source>%1 frames that are not of the protocol</source>
-        <translation>%1 tramas que no son del protocolo</translation>
-    </message>
-    <message>
         <source>nothing</source>
         <translation>nada</translation>
     </message>
@@ -6239,6 +6263,14 @@
     <message>
         <source>Disconnected. What was received is in %1</source>
         <translation>Desconectado. Lo recibido está en %1</translation>
+    </message>
+    <message>
+        <source>1 message passed over</source>
+        <translation>1 mensaje pasado por alto</translation>
+    </message>
+    <message>
+        <source>%1 messages passed over</source>
+        <translation>%1 mensajes pasados por alto</translation>
     </message>
 </context>
 <context>

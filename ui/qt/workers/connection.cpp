@@ -40,6 +40,18 @@ std::uint64_t bytes_of(const std::filesystem::path& file) {
     return none ? 0 : bytes;
 }
 
+/// Takes a file away into which nothing came.
+struct NothingKept {
+    LiveSource& source;
+    bool ours;  ///< what is being written by another program stays
+    ~NothingKept() {
+        if (!ours || source.holds_something()) return;
+        source.end();
+        std::error_code ignored;
+        std::filesystem::remove(source.file(), ignored);
+    }
+};
+
 }  // namespace
 
 /// What the window and the thread that waits share.
@@ -125,6 +137,7 @@ void Connection::open(const std::shared_ptr<Attempt>& attempt, const std::string
         live = std::make_shared<LiveSource>(address);
     }
     source.file = live->file().string();
+    const NothingKept nothing{*live, is_websocket_address(address)};
     tell(attempt, [this, name = QString::fromStdString(source.file)] {
         state_ = State::waiting;
         file_ = name;
