@@ -40,9 +40,7 @@ RecordingSurvey survey_recording(const std::filesystem::path& path, OpenRecordin
                                  const FileExtent& extent) {
     constexpr std::size_t kReceipts = 256;  // of each topic: its clock is told by any of them
     RecordingSurvey survey;
-    Topics topics([](const Topic& topic) {
-        return use_of(topic) != TopicUse::none;
-    });
+    Topics topics([](const Topic& topic) { return use_of(topic) != TopicUse::none; });
     const std::unique_ptr<Recording> recording = open(path, {topics, false, extent});
     const auto next = [&] {
         std::optional<RecordedMessage> found = recording->next();

@@ -26,13 +26,14 @@ bool belongs_to(const QWidget* widget, const QWidget& main) {
 }  // namespace
 
 std::span<const HelpPlace> help_places() {
-    static constexpr std::array<HelpPlace, 28> kPlaces{{
+    static constexpr std::array<HelpPlace, 29> kPlaces{{
         {"centralwidget", "the-window"},
         {"MapWindow", "the-window"},
         {"run_until", "the-window"},
         {"lesson_dock", "a-first-experiment"},
         {"SourceDialog", "data-source"},
         {"skipped_lines", "data-source"},
+        {"connect_dialog", "a-running-robot"},
         {"world_window", "drawing-a-world"},
         {"world_form", "drawing-a-world"},
         {"import_dialog", "drawing-a-world"},
