@@ -16,9 +16,6 @@ bool makes_key(const GraphEdit& edit, std::uint64_t scan) {
            (edit.scan.scan == scan || (edit.of_two() && edit.earlier.scan == scan));
 }
 
-}  // namespace
-namespace {
-
 constexpr double kBeside = 5.0;  // [m] of way, as wide as what is searched for
 
 }  // namespace

@@ -16,9 +16,8 @@ namespace {
 constexpr double kQuickEnough = 8.0;  // scans a second
 
 /// Between the first scans, the median [s].
-double interval_of(const TourReader& tour) {
+double interval_of(const std::unique_ptr<TourReader>& reader) {
     constexpr std::size_t kAsked = 20;
-    const std::unique_ptr<TourReader> reader = tour.reopen();
     std::vector<double> intervals;
     std::optional<double> last_s;
     while (intervals.size() < kAsked) {
@@ -48,16 +47,17 @@ RegistrationParams without_odometry(double interval_s) {
 
 class ScanOdometry final : public TourReader {
   public:
-    explicit ScanOdometry(std::unique_ptr<TourReader> tour)
+    ScanOdometry(std::unique_ptr<TourReader> tour, double interval_s)
         : tour_(std::move(tour)),
           ahead_(tour_->reopen()),
-          registration_(without_odometry(interval_of(*tour_))) {}
+          interval_s_(interval_s),
+          registration_(without_odometry(interval_s)) {}
 
     std::optional<Scan> next_scan() override { return tour_->next_scan(); }
     std::optional<Odometria> next_odometry() override;
-    void restart() override { *this = ScanOdometry(tour_->reopen()); }
+    void restart() override { *this = ScanOdometry(tour_->reopen(), interval_s_); }
     std::unique_ptr<TourReader> reopen() const override {
-        return std::make_unique<ScanOdometry>(tour_->reopen());
+        return std::make_unique<ScanOdometry>(tour_->reopen(), interval_s_);
     }
     const ReadReport& report() const override { return tour_->report(); }
     std::optional<double> progress() const override { return tour_->progress(); }
@@ -72,6 +72,7 @@ class ScanOdometry final : public TourReader {
 
     std::unique_ptr<TourReader> tour_;
     std::unique_ptr<TourReader> ahead_;  // whose scans are matched
+    double interval_s_;
     Registration registration_;
     std::optional<double> first_s_;
     double last_s_ = 0.0;
@@ -146,8 +147,14 @@ std::vector<TourFinding> ScanOdometry::findings() const {
 
 }  // namespace
 
-std::unique_ptr<TourReader> make_scan_odometry(std::unique_ptr<TourReader> tour) {
-    return std::make_unique<ScanOdometry>(std::move(tour));
+std::unique_ptr<TourReader> make_scan_odometry(std::unique_ptr<TourReader> tour,
+                                               std::unique_ptr<TourReader> beginning) {
+    const double interval_s = interval_of(beginning ? std::move(beginning) : tour->reopen());
+    return std::make_unique<ScanOdometry>(std::move(tour), interval_s);
+}
+
+bool is_scan_odometry(const TourReader& tour) {
+    return dynamic_cast<const ScanOdometry*>(&tour) != nullptr;
 }
 
 }  // namespace hitos

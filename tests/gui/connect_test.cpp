@@ -67,6 +67,11 @@ std::shared_ptr<const Snapshot> again(const Configuracion& configuration) {
     return run.latest_snapshot();
 }
 
+QByteArray scan_line(int scan) {
+    const QByteArray number = QByteArray::number(scan);
+    return "LASER " + number + " 3 1 0 1 1 0.5 1." + number + '\n';
+}
+
 void same_maps(const Snapshot& a, const Snapshot& b) {
     QVERIFY(a.best_trajectory == b.best_trajectory);
     QCOMPARE(a.best_map.size(), b.best_map.size());
@@ -174,14 +179,48 @@ void ConnectTest::the_beginning_is_waited_for() {
     QTRY_VERIFY2(f.state_words().startsWith("Waits") || f.state_words().startsWith("Scan 0 of 20"),
                  qPrintable(f.state_words()));
     QVERIFY(!f.session.has_source());
-    for (int scan = 0; scan < 20; ++scan) {
-        f.append(QByteArray("ODOM %1 0 0\nLASER %1 3 1 0 1 1 0.5 1.%2\n")
-                     .replace("%1", QByteArray::number(scan))
-                     .replace("%2", QByteArray::number(scan)));
-    }
+    for (int scan = 0; scan < 20; ++scan)
+        f.append("ODOM " + QByteArray::number(scan) + " 0 0\n" + scan_line(scan));
     QTRY_VERIFY(f.session.is_live() && f.steps() == 20);
     f.act()->click();
     QTRY_VERIFY(f.state() == Progress::State::finished);
+}
+
+void ConnectTest::without_odometry_the_scans_say_how_it_goes() {
+    ConnectFixture f;
+    f.write("tour.log", {});
+    // No more than the beginning: nobody waits for the next one.
+    for (int scan = 0; scan < 20; ++scan) f.append(scan_line(scan));
+    f.connect_to(f.path("tour.log"));
+    QTRY_VERIFY(f.session.is_live() && f.steps() == 20);
+    f.append(scan_line(20));
+    QTRY_COMPARE(f.steps(), 21U);
+    f.dialog();
+    f.act()->click();
+    QTRY_VERIFY(f.state() == Progress::State::finished && f.shows_everything());
+    same_maps(*f.session.snapshot(), *again(f.session.configuration()));
+}
+
+void ConnectTest::a_scan_is_not_there_before_its_odometry() {
+    ConnectFixture f;
+    f.write("tour.log", {});
+    for (int scan = 0; scan < 20; ++scan)
+        f.append("ODOM " + QByteArray::number(scan) + " 0 0\n" + scan_line(scan));
+    f.append(scan_line(20));
+    f.connect_to(f.path("tour.log"));
+    QTRY_VERIFY(f.session.is_live() && f.steps() == 20);
+    f.trigger("action_stop");
+    QTRY_COMPARE(f.state(), Progress::State::paused);
+    QCOMPARE(f.session.incoming_tour()->scans(), 20U);
+    f.append("ODOM 20 0 0\n");
+    QTRY_COMPARE(f.session.incoming_tour()->scans(), 21U);
+    QCOMPARE(f.steps(), 20U);
+    // It is over while it stands still: what is not for live tours comes back.
+    QVERIFY(!f.action("action_study")->isEnabled());
+    f.dialog();
+    f.act()->click();
+    QTRY_VERIFY(f.action("action_study")->isEnabled());
+    QTRY_VERIFY(f.window->findChild<QLabel*>("status_scan")->text().contains("20 of 21"));
 }
 
 void ConnectTest::of_several_lasers_one_is_chosen() {
@@ -236,8 +275,29 @@ void ConnectTest::what_cannot_be_followed_is_told() {
     f.session.set_configuration({});
     // What was there is not written over unasked.
     f.write("kept.mcap", "mine");
+    auto* name = f.dialog().findChild<QLineEdit*>("connect_file");
+    int asked = 0;
+    for (const char* typed : {"kept.mcap", "kept"}) {
+        name->setText(f.path(typed));
+        f.connect_to(nobody);
+        QCOMPARE(f.prompts.confirmed_texts.size(), ++asked);
+    }
+    name->setText("");
     f.connect_to(nobody);
-    QCOMPARE(f.prompts.confirmed_texts.size(), 1);
+    QVERIFY(f.prompts.warnings.takeFirst().contains("Name the file"));
+    // Nor where it was agreed to once.
+    f.prompts.saves = {f.path("kept.mcap")};
+    f.prompts.confirms = {true};
+    for (auto* button : f.dialog().findChildren<QPushButton*>())
+        if (button->text().startsWith("Browse")) button->click();
+    QCOMPARE(name->text(), f.path("kept.mcap"));
+    asked = static_cast<int>(f.prompts.confirmed_texts.size());
+    f.connect_to(nobody);
+    QCOMPARE(f.prompts.confirmed_texts.size(), asked);
+    QTRY_COMPARE(f.act()->text(), QString("Connect"));
+    name->setText(f.path("kept.mcap"));
+    f.connect_to(nobody);
+    QCOMPARE(f.prompts.confirmed_texts.size(), asked + 1);
     QCOMPARE(Fixture::read(f.path("kept.mcap")), QByteArray("mine"));
 }
 

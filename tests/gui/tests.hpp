@@ -48,6 +48,8 @@ class ConnectTest : public QObject {
     void another_log_ends_the_connection();
     void a_window_that_closes_waits_for_nothing();
     void the_beginning_is_waited_for();
+    void without_odometry_the_scans_say_how_it_goes();
+    void a_scan_is_not_there_before_its_odometry();
     void of_several_lasers_one_is_chosen();
     void what_cannot_be_followed_is_told();
 };

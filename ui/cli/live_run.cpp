@@ -84,10 +84,6 @@ void add_live_options(CLI::App& command, LiveOptions& options) {
 LiveRun::LiveRun(const LiveOptions& options, const std::string& log, const std::string& out,
                  bool replace)
     : options_(options) {
-    if (is_world_file(log)) {
-        throw ConfigError("--follow", verbatim("found the world " + on_one_line(log) +
-                                               "; a world is simulated, not followed"));
-    }
     const auto goes_on = [] { return !StopByRequest::wanted(); };
     const bool server = is_websocket_address(log);
     if (server || is_standard_input(log)) {
@@ -95,7 +91,8 @@ LiveRun::LiveRun(const LiveOptions& options, const std::string& log, const std::
             options.received.empty() ? name_beside(out) : fs::path(options.received);
         source_ =
             server ? LiveSource::of_server(log, name, replace,
-                                           std::chrono::seconds(std::llround(options.patience_s)))
+                                           std::chrono::seconds(std::llround(options.patience_s)),
+                                           goes_on)
                    : LiveSource::of_pipe(STDIN_FILENO, name, replace, goes_on);
         received_ = source_ != nullptr;
         if (received_) fmt::print(stderr, "received: {}\n", on_one_line(file()));

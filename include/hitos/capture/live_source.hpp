@@ -30,6 +30,7 @@ bool is_websocket_address(std::string_view source);
 /// How it stands with the connection to a server.
 struct LinkState {
     bool connected = true;
+    bool given_up = false;          ///< it was lost, and looked for in vain: the tour is over
     std::uint64_t losses = 0;       ///< how often it was lost
     std::uint64_t passed_over = 0;  ///< messages that are too large, or not of the protocol
 };
@@ -56,10 +57,12 @@ class LiveSource {
     /// odometry and transforms in a new file, `name` with the ending .mcap. A connection that is
     /// lost is looked for again for as long as `patience` goes; then the tour is over. Throws
     /// ConfigError where the address is none, FileError where nobody answers there, somebody who
-    /// does not speak the protocol, or the file is there already or cannot be written.
+    /// does not speak the protocol, or the file is there already or cannot be written. Null where
+    /// it was not to go on before it was connected.
     static std::unique_ptr<LiveSource> of_server(const std::string& url,
                                                  const std::filesystem::path& name, bool replace,
-                                                 std::chrono::seconds patience);
+                                                 std::chrono::seconds patience,
+                                                 const GoesOn& goes_on);
     ~LiveSource();
     LiveSource(const LiveSource&) = delete;
     LiveSource& operator=(const LiveSource&) = delete;

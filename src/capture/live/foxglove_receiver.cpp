@@ -27,12 +27,12 @@ RecordedTopic offer_of(const ReceivedTopic& topic) {
 }  // namespace
 
 FoxgloveReceiver::FoxgloveReceiver(std::string url, std::chrono::seconds patience,
-                                   std::chrono::seconds silence)
+                                   std::chrono::seconds silence, const WebSocket::GoesOn& goes_on)
     : url_(std::move(url)),
       address_(url_),
       patience_(patience),
       silence_(silence),
-      socket_(std::make_unique<WebSocket>(address_, url_, kProtocols)) {}
+      socket_(std::make_unique<WebSocket>(address_, url_, kProtocols, goes_on)) {}
 
 void FoxgloveReceiver::receive(const std::stop_token& stop, const Put& put, const News& news) {
     std::string bytes;
@@ -80,10 +80,13 @@ bool FoxgloveReceiver::connect_again(const std::stop_token& stop, const News& ne
                 HITOS_TEXT("Errors", "%1; it was looked for for %2 s, and the tour ends here"),
                 why.value_or(marked(HITOS_TEXT("Errors", "the server says nothing"))),
                 patience_.count()));
+            const std::scoped_lock lock(mutex_);
+            link_.given_up = true;
             return false;
         }
         try {
-            socket_ = std::make_unique<WebSocket>(address_, url_, kProtocols);
+            socket_ = std::make_unique<WebSocket>(address_, url_, kProtocols,
+                                                  [&stop] { return !stop.stop_requested(); });
             const double seconds = std::chrono::duration<double>(Clock::now() - lost).count();
             {
                 const std::scoped_lock lock(mutex_);
@@ -190,13 +193,13 @@ void FoxgloveReceiver::take_text(std::string_view text, const Put& put, const Ne
     }
     for (const Message& problem : said.problems) news(problem);
     std::vector<std::pair<std::uint32_t, std::uint64_t>> asked;
-    bool laser = false;
+    bool laser = false;  // that can be read
     std::string offered;
     for (const FoxgloveChannel& channel : said.channels) {
-        laser = laser || channel.topic.type.ends_with("LaserScan");
         if (offered.size() < kLongestWord) offered += offered.empty() ? "" : ", ";
         if (offered.size() < kLongestWord) offered += channel.topic.name;
         RecordedTopic* offer = note_offer(channel.topic);
+        laser = laser || offer->use == TopicUse::scans;
         if (subscriptions_.contains(channel.id) || offer->use == TopicUse::none) continue;
         std::string bytes;
         const std::uint16_t topic = mcap_.add(bytes, channel.topic);

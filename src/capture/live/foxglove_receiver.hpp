@@ -33,8 +33,10 @@ class FoxgloveReceiver {
     /// Connects. Throws ConfigError where the address is none, FileError where nobody answers or
     /// somebody who does not speak the protocol. What is waited for in vain for as long as
     /// `silence` is told.
-    FoxgloveReceiver(std::string url, std::chrono::seconds patience,
-                     std::chrono::seconds silence = std::chrono::seconds(5));
+    FoxgloveReceiver(
+        std::string url, std::chrono::seconds patience,
+        std::chrono::seconds silence = std::chrono::seconds(5),
+        const WebSocket::GoesOn& goes_on = [] { return true; });
 
     /// Until it is asked to stop, or a lost connection was not found again for as long as patience
     /// goes. Throws what `put` throws.

@@ -28,6 +28,7 @@ namespace hitos {
 namespace {
 
 constexpr int kWaitMilliseconds = 20;
+constexpr std::chrono::seconds kSilence(5);  // of a server, that is told
 
 /// Closes what it holds.
 class Descriptor {
@@ -104,8 +105,13 @@ std::uint64_t whole_lines(const std::filesystem::path& path, std::uint64_t size)
 
 }  // namespace
 
-LiveSource::LiveSource(const std::filesystem::path& file)
-    : file_(file), growth_(std::make_shared<FileGrowth>(file)) {}
+LiveSource::LiveSource(const std::filesystem::path& file) : file_(file) {
+    if (is_world_file(file)) {
+        throw FileError(file.string(),
+                        HITOS_TEXT("Errors", "is a world; a world is simulated, not followed"));
+    }
+    growth_ = std::make_shared<FileGrowth>(file);
+}
 
 LiveSource::LiveSource(const std::filesystem::path& file, Receive receive) : LiveSource(file) {
     receiver_ = std::jthread([this, receive = std::move(receive)](const std::stop_token& stop) {
@@ -158,8 +164,15 @@ std::unique_ptr<LiveSource> LiveSource::of_pipe(int descriptor, const std::files
 
 std::unique_ptr<LiveSource> LiveSource::of_server(const std::string& url,
                                                   const std::filesystem::path& name, bool replace,
-                                                  std::chrono::seconds patience) {
-    const auto receiver = std::make_shared<FoxgloveReceiver>(url, patience);
+                                                  std::chrono::seconds patience,
+                                                  const GoesOn& goes_on) {
+    std::shared_ptr<FoxgloveReceiver> receiver;
+    try {
+        receiver = std::make_shared<FoxgloveReceiver>(url, patience, kSilence, goes_on);
+    } catch (const ConnectionError&) {
+        if (goes_on()) throw;
+    }
+    if (!receiver || !goes_on()) return nullptr;
     std::filesystem::path file = name;
     file += ".mcap";
     const auto target = new_file(file, replace);

@@ -85,22 +85,27 @@ struct WebSocket::Connection {
     bool whole = false;
     error_code error;
 
-    /// Until what was begun has come to its end.
+    /// Until what was begun has come to its end, or nobody waits for it any more: then nobody may
+    /// use the connection, which ends with it.
     template <class Begin>
-    void wait(const Begin& begin) {
+    void wait(const Begin& begin, const GoesOn& goes_on) {
         bool done = false;
         begin([&](const error_code& came, auto&&...) {
             error = came;
             done = true;
         });
-        io.restart();
-        while (!done && io.run_one() > 0) {
+        while (!done) {
+            io.restart();
+            io.run_one_for(kLook);
+            if (done || goes_on()) continue;
+            error = asio::error::operation_aborted;
+            return;
         }
     }
 };
 
 WebSocket::WebSocket(const WebSocketAddress& address, const std::string& url,
-                     const std::string& protocols)
+                     const std::string& protocols, const GoesOn& goes_on)
     : connection_(std::make_unique<Connection>()) {
     Connection& link = *connection_;
     link.url = url;
@@ -114,7 +119,7 @@ WebSocket::WebSocket(const WebSocketAddress& address, const std::string& url,
     check();
     auto& tcp = beast::get_lowest_layer(link.stream);
     tcp.expires_after(kPatience);
-    link.wait([&](auto done) { tcp.async_connect(places, done); });
+    link.wait([&](auto done) { tcp.async_connect(places, done); }, goes_on);
     check();
     tcp.expires_never();  // from here on the stream's own times count
     websocket::stream_base::timeout times{};
@@ -128,10 +133,12 @@ WebSocket::WebSocket(const WebSocketAddress& address, const std::string& url,
         }));
     link.stream.read_message_max(0);  // what is too large is passed over here
     websocket::response_type answer;
-    link.wait([&](auto done) {
-        const std::string host = bracketed(address.host) + ":" + address.port;
-        link.stream.async_handshake(answer, host, address.path, done);
-    });
+    link.wait(
+        [&](auto done) {
+            const std::string host = bracketed(address.host) + ":" + address.port;
+            link.stream.async_handshake(answer, host, address.path, done);
+        },
+        goes_on);
     if (link.error == websocket::error::upgrade_declined) {
         throw ConnectionError(
             url,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,10 +39,13 @@ class ConnectionError : public FileError {
 
 class WebSocket {
   public:
+    /// Whether one that is being waited for is to go on.
+    using GoesOn = std::function<bool()>;
+
     /// Connects and agrees on one of the protocols ("a, b"), which may take some seconds. Throws
-    /// ConnectionError.
-    WebSocket(const WebSocketAddress& address, const std::string& url,
-              const std::string& protocols);
+    /// ConnectionError, also where it is not to go on.
+    WebSocket(const WebSocketAddress& address, const std::string& url, const std::string& protocols,
+              const GoesOn& goes_on);
     ~WebSocket();
     WebSocket(const WebSocket&) = delete;
     WebSocket& operator=(const WebSocket&) = delete;

@@ -35,10 +35,11 @@ class FileBytes final : public ByteSource {
     std::uint64_t position() const { return position_; }
     std::uint64_t size() const { return file_.size(); }
     const FileExtent& extent() const { return file_.extent(); }
-    /// Its last bytes, wherever the next read() begins; fewer where it has fewer.
+    /// What stands there, wherever the next read() begins; fewer bytes where there are fewer.
     std::size_t read_at(std::uint64_t offset, std::span<char> out) const {
         return file_.read_at(offset, out);
     }
+    /// The last bytes, likewise.
     std::size_t read_end(std::span<char> out) const {
         return file_.read_at(size() - std::min<std::uint64_t>(size(), out.size()), out);
     }

@@ -264,6 +264,7 @@ class Visit final : public Visitor, public std::enable_shared_from_this<Visit> {
                                 });
     }
 
+    bool idle() const override { return !answered_; }
     /// In one go, which a system's buffer takes.
     void give_way() override {
         deadline_.cancel();

@@ -223,11 +223,13 @@ class LiveServer::Impl final : public live::Stage {
             Code ignored;
             socket.set_option(tcp::socket::send_buffer_size(kBuffer), ignored);
             socket.set_option(tcp::no_delay(true), ignored);
-            // Who means to ask has asked soon: the one that is here for longest is idle.
+            // Who means to ask has asked soon.
             if (visitors_.size() == kMostVisits) {
-                live::Visitor* const oldest = visitors_.front();
-                visitors_.erase(visitors_.begin());
-                oldest->give_way();
+                auto oldest = std::ranges::find_if(visitors_, &live::Visitor::idle);
+                if (oldest == visitors_.end()) oldest = visitors_.begin();
+                live::Visitor* const visitor = *oldest;
+                visitors_.erase(oldest);
+                visitor->give_way();
             }
             live::begin_connection(std::move(socket), *this);
             accept_next();

@@ -32,6 +32,8 @@ class Client {
 class Visitor {
   public:
     virtual ~Visitor() = default;
+    /// Whether it has asked for nothing yet.
+    virtual bool idle() const = 0;
     /// Others wait: it is told so, and is gone.
     virtual void give_way() = 0;
 };

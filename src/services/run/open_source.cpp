@@ -18,7 +18,14 @@ std::unique_ptr<TourReader> open_source(const SourceParams& source) {
     const bool from_scans = source.read.odometry == OdometryFrom::scans ||
                             (source.read.mend == Mend::all && !reader->has_odometry());
     if (!from_scans) return reader;
-    return make_scan_odometry(std::move(reader));
+    std::unique_ptr<TourReader> beginning;
+    if (source.read.opening_bytes > 0) {  // more may still have to come
+        ReadOptions there = source.read;
+        there.growth = nullptr;
+        beginning = std::make_unique<Procesador>(
+            open_log(source.file, source.format, there)->opening(), there);
+    }
+    return make_scan_odometry(std::move(reader), std::move(beginning));
 }
 
 }  // namespace hitos

@@ -84,6 +84,19 @@ TEST(KeyGraph, TheLocalMapHasTheNewestKeysAndTheNearestOfAnEarlierPassage) {
     }
 }
 
+TEST(KeyGraph, OfACrowdOfPassagesTheOldestAreTaken) {
+    const auto passages = [](std::uint32_t count) {
+        KeyGraph graph = line_of(10 * count, 0.01, 1e-4);
+        for (std::uint32_t key = 0; key < 10 * count; ++key)
+            graph.poses[key].pose = {0.3 * (key % 10), 0.0, 0.0};
+        const std::vector<GraphReach> reach(graph.size(), GraphReach{.way_m = 0.0});
+        const MapOfKeys map{graph.size(), {1.5, 0.0, 0.0}, 10};
+        return older_keys(graph, map, reach, 6.0, 5);
+    };
+    EXPECT_EQ(passages(3), (std::vector<std::uint32_t>{5, 15, 6, 16, 4})) << "the nearest";
+    EXPECT_EQ(passages(20), (std::vector<std::uint32_t>{4, 5, 6, 14, 15}));
+}
+
 TEST(KeyGraph, AKeyThatWouldMoveTheScanByMoreThanHalfAMetreMakesNoEdge) {
     // A third of a radian counts a metre.
     const auto edges_where = [](const Eigen::Vector3d& step) {

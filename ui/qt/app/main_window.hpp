@@ -51,6 +51,7 @@ class MainWindow final : public QMainWindow {
     MainWindow(Session& session, UserFiles& files, Prompts& prompts);
     ~MainWindow() override;
 
+    Session& session() const { return session_; }
     ConfigurationActions& configuration_actions() { return *configuration_; }
     ResultActions& result_actions() { return *results_; }
     RunGuard& run_guard() { return guard_; }

@@ -121,11 +121,12 @@ StudyDialog& MainWindow::open_study() {
 ConnectDialog& MainWindow::open_connection() {
     if (connect_ == nullptr) {
         connection_ = new Connection(session_, this);
-        connect_ = new ConnectDialog(*connection_, session_, files_, prompts_, guard_, this);
+        connect_ = new ConnectDialog(*connection_, session_, files_, prompts_, this);
         place_beside_parent(*connect_, kBeside);
         connect(connection_, &Connection::opened, configuration_,
                 [this](const SourceParams& source, const std::shared_ptr<IncomingTour>& tour) {
-                    if (!configuration_->map_incoming(source, tour)) return connection_->end();
+                    if (!guard_.may_discard() || !configuration_->map_incoming(source, tour))
+                        return connection_->end();
                     connect_->hide();  // the map is what is looked at
                 });
         connect(connection_, &Connection::changed, status_, &StatusLine::refresh);

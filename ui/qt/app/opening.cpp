@@ -16,10 +16,11 @@ namespace hitos::window {
 
 void open_named(MainWindow& window, const CommandLine& named_line, Audience audience) {
     const bool alone = audience == Audience::nobody;
+    const bool robot = !alone && is_websocket_address(named_line.open);
     CommandLine line = named_line;
-    if (!alone && is_websocket_address(line.open)) {
-        window.open_connection().connect_to(QString::fromStdString(line.open));
+    if (robot) {  // what is said of how it is read is not of the ready tour
         line.open.clear();
+        line.topics = {};
     }
     ConfigurationActions& actions = window.configuration_actions();
     alone ? actions.start(line) : actions.start_or_warn(line);
@@ -30,6 +31,11 @@ void open_named(MainWindow& window, const CommandLine& named_line, Audience audi
     if (!distances.isEmpty())
         alone ? window.measurements().open(distances) : window.open_distances(distances);
     if (named_line.open.empty() && line.config.empty()) window.offer_start();
+    if (!robot) return;
+    SourceParams how;
+    if (!line.config.empty()) how.read = window.session().configuration().source.read;
+    named_line.topics.choose(how);
+    window.open_connection().connect_to(QString::fromStdString(named_line.open), how);
 }
 
 void begin(MainWindow& window, Session& session, const CommandLine& line) {
@@ -39,7 +45,7 @@ void begin(MainWindow& window, Session& session, const CommandLine& line) {
         form.set_runs(line.study_runs);
         if (!line.study_folder.empty()) form.set_folder(QString::fromStdString(line.study_folder));
     }
-    if (line.run) session.run();
+    if (line.run && !is_websocket_address(line.open)) session.run();
 }
 
 }  // namespace hitos::window

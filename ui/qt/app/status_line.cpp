@@ -179,7 +179,9 @@ void StatusLine::refresh() {
     } else if (p.state == State::running) {
         state_->setText(running_words(p));
     } else if (p.state == State::paused) {
-        state_->setText(tr("Stopped"));
+        const auto& tour = session_.incoming_tour();
+        const bool lost = tour && session_.is_live() && !tour->source().link().connected;
+        state_->setText(lost ? tr("Stopped, connection lost") : tr("Stopped"));
     } else if (p.state == State::finished) {
         state_->setText(tr("End of the log"));
     } else {

@@ -25,6 +25,7 @@ namespace {
 constexpr const char* kAddressKey = "connect/address";
 constexpr const char* kUsualAddress = "ws://localhost:8765";
 constexpr int kWorthSayingS = 1;
+const QLatin1String kEnding(".mcap");
 
 QString seconds_words(double seconds) {
     return ConnectDialog::tr("%1 s").arg(QLocale().toString(seconds, 'f', 1));
@@ -33,13 +34,12 @@ QString seconds_words(double seconds) {
 }  // namespace
 
 ConnectDialog::ConnectDialog(Connection& connection, Session& session, UserFiles& files,
-                             Prompts& prompts, const RunGuard& guard, QWidget* parent)
+                             Prompts& prompts, QWidget* parent)
     : QDialog(parent),
       connection_(connection),
       session_(session),
       files_(files),
       prompts_(prompts),
-      guard_(guard),
       address_(new QLineEdit(this)),
       file_(new QLineEdit(this)),
       browse_(new QPushButton(tr("Browse…"), this)),
@@ -97,7 +97,7 @@ ConnectDialog::ConnectDialog(Connection& connection, Session& session, UserFiles
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::hide);
     connect(browse_, &QPushButton::clicked, this, &ConnectDialog::browse);
-    connect(act_, &QPushButton::clicked, this, &ConnectDialog::begin);
+    connect(act_, &QPushButton::clicked, this, &ConnectDialog::act);
     connect(address_, &QLineEdit::textChanged, this, &ConnectDialog::refresh);
     connect(topics_, &TopicList::chosen, this, [this](const QString& scans, const QString& odom) {
         scans_ = scans;
@@ -114,9 +114,9 @@ ConnectDialog::ConnectDialog(Connection& connection, Session& session, UserFiles
     fit_to_screen(*this);
 }
 
-void ConnectDialog::connect_to(const QString& address) {
+void ConnectDialog::connect_to(const QString& address, const SourceParams& how) {
     address_->setText(address);
-    begin();
+    begin(how);
 }
 
 /// One that is not there yet.
@@ -134,26 +134,37 @@ void ConnectDialog::browse() {
     file_->setText(path);
 }
 
-void ConnectDialog::begin() {
+void ConnectDialog::act() {
     if (connection_.active()) {
         connection_.end();
         return;
     }
-    const QString address = address_->text().trimmed();
-    QString file = with_ending(file_->text().trimmed(), {}, "mcap");
-    if (is_websocket_address(address.toStdString())) {
-        if (QFileInfo::exists(file) && file != agreed_ && !may_overwrite(prompts_, this, file))
+    SourceParams how;
+    how.read = for_another_recording(session_.configuration().source.read);
+    begin(how);
+}
+
+void ConnectDialog::begin(const SourceParams& how) {
+    Connection::Wish wish{address_->text().trimmed(), file_->text().trimmed(), false, how};
+    if (is_websocket_address(wish.address.toStdString())) {
+        if (wish.name.endsWith(kEnding)) wish.name.chop(static_cast<int>(kEnding.size()));
+        if (wish.name.isEmpty()) {
+            prompts_.warn(this, windowTitle(),
+                          tr("Name the file in which what is received is to be kept."));
             return;
+        }
+        const QString file = wish.name + kEnding;
+        file_->setText(file);
+        wish.replace = QFileInfo::exists(file);
+        if (wish.replace && file != agreed_ && !may_overwrite(prompts_, this, file)) return;
         files_.note_saved("log", file);
     }
-    if (!guard_.may_discard()) return;
-    files_.settings().setValue(kAddressKey, address);
+    agreed_.clear();
+    files_.settings().setValue(kAddressKey, wish.address);
     said_->clear();
-    scans_.clear();
-    odometry_.clear();
-    SourceParams source;
-    source.read = for_another_recording(session_.configuration().source.read);
-    connection_.begin(address, file, source);
+    scans_ = QString::fromStdString(how.read.scan_topic);
+    odometry_ = QString::fromStdString(how.read.odom_topic);
+    connection_.begin(wish);
 }
 
 void ConnectDialog::refresh() {
@@ -228,16 +239,24 @@ QString ConnectDialog::state_words() const {
         case Connection::State::over:
             break;
     }
-    if (!connection_.problem().isEmpty()) return connection_.problem();
-    if (connection_.file().isEmpty()) return tr("Disconnected.");
-    return tr("Disconnected. What was received is in %1")
-        .arg(QDir::toNativeSeparators(connection_.file()));
+    QStringList said;
+    if (!connection_.problem().isEmpty()) {
+        said << connection_.problem();
+    } else if (received.link.given_up) {
+        said << tr("The connection was lost, and looked for in vain.");
+    } else {
+        said << tr("Disconnected.");
+    }
+    if (!connection_.file().isEmpty()) {
+        said << tr("What was received is in %1").arg(QDir::toNativeSeparators(connection_.file()));
+    }
+    return said.join(' ');
 }
 
 const char* ConnectDialog::state_role() const {
     const Connection::Received& received = connection_.received();
     const Connection::State state = connection_.state();
-    const bool lost = connection_.active() && !received.link.connected;
+    const bool lost = received.link.given_up || (connection_.active() && !received.link.connected);
     if (state == Connection::State::over && !connection_.problem().isEmpty()) return "error";
     if (lost || (state == Connection::State::waiting && !received.problem.isEmpty()))
         return "warning";

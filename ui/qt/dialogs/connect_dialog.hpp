@@ -6,7 +6,6 @@
 
 #include "look/prompts.hpp"
 #include "look/user_files.hpp"
-#include "session/run_guard.hpp"
 #include "workers/connection.hpp"
 
 class QLabel;
@@ -24,13 +23,14 @@ class ConnectDialog final : public QDialog {
 
   public:
     ConnectDialog(Connection& connection, Session& session, UserFiles& files, Prompts& prompts,
-                  const RunGuard& guard, QWidget* parent);
+                  QWidget* parent);
 
-    /// As a user would type it, and connect.
-    void connect_to(const QString& address);
+    /// As a user would type it, and connect; `how` it is read.
+    void connect_to(const QString& address, const SourceParams& how);
 
   private:
-    void begin();
+    void act();
+    void begin(const SourceParams& how);
     void browse();
     void suggest_file();
     void refresh();
@@ -42,7 +42,6 @@ class ConnectDialog final : public QDialog {
     Session& session_;
     UserFiles& files_;
     Prompts& prompts_;
-    const RunGuard& guard_;
     QLineEdit* address_;
     QLineEdit* file_;
     QPushButton* browse_;

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "background.hpp"
+#include "hitos/features/control.hpp"
+#include "hitos/registration/scan_odometry.hpp"
 #include "hitos/workbench/open_tour.hpp"
 
 namespace hitos::window {
@@ -58,6 +60,7 @@ std::unique_ptr<TourReader> IncomingTour::open(const Configuracion& configuratio
 void IncomingTour::count(const Configuracion& configuration) {
     const std::scoped_lock lock(mutex_);
     over_ = false;
+    if (came_s_.size() > counted_s_.size()) counted_s_ = came_s_;
     came_s_.clear();
     readers_.emplace_back([this, configuration = followed(configuration), count = ++count_] {
         begin_background_work();
@@ -67,10 +70,15 @@ void IncomingTour::count(const Configuracion& configuration) {
 
 void IncomingTour::read(const Configuracion& configuration, std::uint64_t count) {
     std::unique_ptr<TourReader> tour;
+    ControlTrack odometry([&tour] { return tour->next_odometry(); });
+    std::vector<Control> controls;
     for (bool more = true; more;) {
         try {
             if (!tour) tour = open_tour(configuration);
-            more = tour->next_scan().has_value();
+            const std::optional<Scan> scan = tour->next_scan();
+            more = scan.has_value();
+            // What scans say themselves is there with them.
+            if (more && !is_scan_odometry(*tour)) odometry.controls_until(*scan, controls);
         } catch (const std::exception&) {  // which the run itself will tell
             more = false;
         }
@@ -78,8 +86,11 @@ void IncomingTour::read(const Configuracion& configuration, std::uint64_t count)
             const std::scoped_lock lock(mutex_);
             if (count != count_) return;  // another one counts now
             over_ = !more;
-            if (more)
-                came_s_.push_back(std::chrono::duration<float>(Clock::now() - begin_).count());
+            if (more) {
+                const float now_s = std::chrono::duration<float>(Clock::now() - begin_).count();
+                const std::size_t scan = came_s_.size();
+                came_s_.push_back(scan < counted_s_.size() ? counted_s_[scan] : now_s);
+            }
         }
         arrived_();
     }

@@ -20,8 +20,9 @@ class TourReader;
 
 namespace hitos::window {
 
-/// Counts the scans that are there, so that a run is never sent to one that is still to come: it
-/// would wait for it, and could be stopped by nobody. A thread of its own reads the tour for that.
+/// Counts the scans that are there, with their odometry, so that a run is never sent to one that is
+/// still to come: it would wait for it, and could be stopped by nobody. A thread of its own reads
+/// the tour for that.
 class IncomingTour {
   public:
     /// Called by that thread for every scan, and at the end.
@@ -40,7 +41,8 @@ class IncomingTour {
     /// Whether that configuration's source is what comes in, from the same beginning.
     bool is_of(const Configuracion& configuration) const;
 
-    /// From now on scans are those that come by this configuration's source.
+    /// From now on scans are those that come by this configuration's source; those that were there
+    /// already came when they did.
     void count(const Configuracion& configuration);
     /// To be read by a run, to the scans that are there; reopened it is the file as it is then.
     /// Throws what open_tour() throws.
@@ -64,7 +66,8 @@ class IncomingTour {
     std::uint64_t count_ = 0;  ///< number of the newest count()
     bool over_ = false;
     Clock::time_point begin_ = Clock::now();
-    std::vector<float> came_s_;  ///< of each scan, since then
+    std::vector<float> came_s_;     ///< of each scan, since then
+    std::vector<float> counted_s_;  ///< of those that were counted before
     std::vector<std::jthread> readers_;
 };
 

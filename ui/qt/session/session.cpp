@@ -225,7 +225,10 @@ void Session::run_steps(quint64 steps) {
 void Session::follow() {
     if (!worker_ || !(live_ || incoming_)) return;
     if (live_) note_truth();
-    if (!following_) return;
+    if (!following_) {
+        if (incoming_ && !is_live()) emit progress_changed();  // that it is over
+        return;
+    }
     following_ = live_ || is_live();
     go_to(following_ ? scans_there() : RunWorker::kToTheEnd);
 }

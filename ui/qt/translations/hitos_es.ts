@@ -3378,6 +3378,10 @@
         <source>&quot;%1&quot; is of the map of %2, which stays as it is (source.hold): change it in that map&apos;s own run, or go on with the map without holding it</source>
         <translation>«%1» es del mapa de %2, que se queda como está (source.hold): cámbielo en la ejecución propia de ese mapa, o siga con el mapa sin mantenerlo</translation>
     </message>
+    <message>
+        <source>is a world; a world is simulated, not followed</source>
+        <translation>es un mundo; un mundo se simula, no se sigue</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -6261,16 +6265,24 @@
         <translation>Desconectado.</translation>
     </message>
     <message>
-        <source>Disconnected. What was received is in %1</source>
-        <translation>Desconectado. Lo recibido está en %1</translation>
-    </message>
-    <message>
         <source>1 message passed over</source>
         <translation>1 mensaje pasado por alto</translation>
     </message>
     <message>
         <source>%1 messages passed over</source>
         <translation>%1 mensajes pasados por alto</translation>
+    </message>
+    <message>
+        <source>Name the file in which what is received is to be kept.</source>
+        <translation>Nombre el archivo en el que se ha de guardar lo que se recibe.</translation>
+    </message>
+    <message>
+        <source>The connection was lost, and looked for in vain.</source>
+        <translation>La conexión se perdió, y se buscó en vano.</translation>
+    </message>
+    <message>
+        <source>What was received is in %1</source>
+        <translation>Lo recibido está en %1</translation>
     </message>
 </context>
 <context>
@@ -9109,6 +9121,10 @@
     <message>
         <source>Live</source>
         <translation>En vivo</translation>
+    </message>
+    <message>
+        <source>Stopped, connection lost</source>
+        <translation>Detenido, conexión perdida</translation>
     </message>
 </context>
 <context>

@@ -83,10 +83,11 @@ struct Connection::Bell {
 
 Connection::Connection(Session& session, QObject* parent)
     : QObject(parent), session_(session), bell_(std::make_shared<Bell>(this)) {
+    pool_.setMaxThreadCount(1);  // one attempt after the other
     timer_.setInterval(kLookMs);
     connect(&timer_, &QTimer::timeout, this, &Connection::look);
     connect(&session, &Session::configuration_changed, this, [this] {
-        if (tour_ && session_.incoming_tour() != tour_) stop({});
+        if (state_ == State::live && session_.incoming_tour() != tour_) stop({});
     });
 }
 
@@ -98,18 +99,21 @@ Connection::~Connection() {
     bell_->to = nullptr;
 }
 
-void Connection::begin(const QString& address, const QString& file, const SourceParams& source) {
+void Connection::begin(const Wish& wish) {
     end();
+    tour_ = nullptr;  // which the session may still have
+    timer_.stop();
     problem_.clear();
     received_ = {};
     file_.clear();
     state_ = State::connecting;
     attempt_ = std::make_shared<Attempt>();
-    pool_.start([this, attempt = attempt_, address = address.toStdString(),
-                 file = file.toStdString(), source] {
+    attempt_->scans = QString::fromStdString(wish.source.read.scan_topic);
+    attempt_->odometry = QString::fromStdString(wish.source.read.odom_topic);
+    pool_.start([this, attempt = attempt_, wish] {
         begin_background_work();
         try {
-            open(attempt, address, file, source);
+            open(attempt, wish);
         } catch (const std::exception& error) {
             tell(attempt, [this, why = words_of(error)] { stop(why); });
         }
@@ -127,22 +131,26 @@ void Connection::tell(const std::shared_ptr<Attempt>& of, const std::function<vo
         Qt::QueuedConnection);
 }
 
-void Connection::open(const std::shared_ptr<Attempt>& attempt, const std::string& address,
-                      const std::string& file, SourceParams source) {
+void Connection::open(const std::shared_ptr<Attempt>& attempt, const Wish& wish) {
+    const std::string address = wish.address.toStdString();
+    const bool server = is_websocket_address(address);
     std::shared_ptr<LiveSource> live;
-    if (is_websocket_address(address)) {
-        const std::filesystem::path name = std::filesystem::path(file).replace_extension();
-        live = LiveSource::of_server(address, name, true, kPatience);
+    if (server) {
+        live = LiveSource::of_server(address, wish.name.toStdString(), wish.replace, kPatience,
+                                     [&attempt] { return !attempt->stop; });
+        if (!live) return;
     } else {
         live = std::make_shared<LiveSource>(address);
     }
+    SourceParams source = wish.source;
     source.file = live->file().string();
-    const NothingKept nothing{*live, is_websocket_address(address)};
-    tell(attempt, [this, name = QString::fromStdString(source.file)] {
+    const NothingKept nothing{*live, server};
+    tell(attempt, [this] {
         state_ = State::waiting;
-        file_ = name;
         emit changed();
     });
+    std::uint64_t listed_bytes = 0;
+    std::vector<RecordedTopic> listed;
     std::optional<LiveSource::Opening> opening;
     while (!opening && !attempt->stop) {
         int chosen = 0;
@@ -177,6 +185,7 @@ void Connection::open(const std::shared_ptr<Attempt>& attempt, const std::string
 void Connection::take(const std::shared_ptr<LiveSource>& source, const SourceParams& how) {
     attempt_ = nullptr;
     state_ = State::live;
+    file_ = QString::fromStdString(how.file);
     tour_ = std::make_shared<IncomingTour>(source, [bell = bell_] { bell->ring(); });
     timer_.start();
     emit opened(how, tour_);
@@ -186,6 +195,7 @@ void Connection::take(const std::shared_ptr<LiveSource>& source, const SourcePar
 void Connection::look() {
     if (!tour_) return;
     const LiveSource& source = tour_->source();
+    const bool over = !tour_->is_live();
     note({tour_->scans(),
           bytes_of(source.file()),
           source.link(),
@@ -193,10 +203,11 @@ void Connection::look() {
           {},
           false},
          tour_->source().take_news());
-    if (!tour_->is_live()) {
-        const std::optional<FileError> problem = source.problem();
-        stop(problem ? words_of(*problem) : QString());
-    }
+    if (!over) return;
+    const std::optional<FileError> problem = source.problem();
+    tour_ = nullptr;
+    timer_.stop();
+    if (state_ == State::live) stop(problem ? words_of(*problem) : QString());
 }
 
 void Connection::note(Received received, const std::vector<Message>& news) {
@@ -213,7 +224,7 @@ void Connection::choose(const QString& scans, const QString& odometry) {
     ++attempt_->chosen;
 }
 
-/// The session still has the tour, which ends beside the window.
+/// The session still has the tour, which ends beside the window; until then it is looked at.
 void Connection::end() {
     if (active()) stop({});
 }
@@ -221,8 +232,7 @@ void Connection::end() {
 void Connection::stop(const QString& problem) {
     if (attempt_) attempt_->stop = true;
     attempt_ = nullptr;
-    timer_.stop();
-    if (tour_) pool_.start([tour = std::exchange(tour_, nullptr)] { tour->source().end(); });
+    if (tour_) pool_.start([tour = tour_] { tour->source().end(); });
     problem_ = problem;
     state_ = State::over;
     emit changed();

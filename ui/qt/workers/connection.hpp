@@ -47,10 +47,14 @@ class Connection final : public QObject {
     Connection(Session& session, QObject* parent);
     ~Connection() override;
 
-    /// Ends the one before. `address`: of a server (ws://…), whose messages are kept in `file`
-    /// (.mcap, replaced where it is there), or the path of a log that is being written. `source`
-    /// says how it is read.
-    void begin(const QString& address, const QString& file, const SourceParams& source);
+    struct Wish {
+        QString address;  ///< of a server (ws://…), or the path of a log that is being written
+        QString name;     ///< what a server tells is kept in this with .mcap behind it
+        bool replace = false;  ///< what is there already
+        SourceParams source;   ///< says how it is read
+    };
+    /// Ends the one before.
+    void begin(const Wish& wish);
     /// Of the topics, in the words of ReadOptions.
     void choose(const QString& scans, const QString& odometry);
     /// The tour is what has come by now.
@@ -59,9 +63,9 @@ class Connection final : public QObject {
     State state() const { return state_; }
     bool active() const { return state_ != State::none && state_ != State::over; }
     const Received& received() const { return received_; }
-    /// Where what comes is kept; empty before the first byte.
+    /// Where what came is kept; empty where nothing did.
     const QString& file() const { return file_; }
-    /// Why it is over; empty where it ended as it was asked to.
+    /// Why it is over; empty where it ended as it was asked to, or the link was given up.
     const QString& problem() const { return problem_; }
 
   signals:
@@ -74,8 +78,7 @@ class Connection final : public QObject {
     struct Attempt;
     /// By which a tour's thread finds the window's object for as long as it is there.
     struct Bell;
-    void open(const std::shared_ptr<Attempt>& attempt, const std::string& address,
-              const std::string& file, SourceParams source);
+    void open(const std::shared_ptr<Attempt>& attempt, const Wish& wish);
     void tell(const std::shared_ptr<Attempt>& of, const std::function<void()>& act);
     void take(const std::shared_ptr<LiveSource>& source, const SourceParams& how);
     void note(Received received, const std::vector<Message>& news);

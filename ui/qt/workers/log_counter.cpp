@@ -13,6 +13,11 @@ LogCounter::LogCounter(Session& session, QObject* parent) : QObject(parent), ses
     pool_.setMaxThreadCount(1);
     connect(&session, &Session::configuration_changed, this, &LogCounter::begin);
     connect(&session, &Session::progress_changed, this, &LogCounter::look);
+    connect(&session, &Session::leaving, this, [this] { live_.reset(); });  // with its worker
+    connect(&session, &Session::restarted, this, [this] {
+        told_.clear();
+        if (session_.incoming_tour() && session_.is_live()) live_.emplace();
+    });
     begin();
 }
 
