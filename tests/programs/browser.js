@@ -84,9 +84,10 @@ exports.start = () => {
       return page;
     },
     end: async () => {
-      child.kill();
+      // Killed, it would leave processes behind that still write into its folder.
+      call('Browser.close').catch(() => {});
       await gone;
-      fs.rmSync(folder, {recursive: true, force: true, maxRetries: 5});
+      fs.rmSync(folder, {recursive: true, force: true, maxRetries: 50, retryDelay: 100});
     },
   };
 };
