@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QProcess>
+#include <QProcessEnvironment>
 #include <QPushButton>
 #include <QTreeWidget>
 
@@ -250,6 +251,48 @@ void ConnectTest::of_several_lasers_one_is_chosen() {
     f.act()->click();
     QTRY_VERIFY(f.state() == Progress::State::finished);
     QCOMPARE(f.steps(), 30U);
+}
+
+/// By a server that others have written.
+void ConnectTest::a_robot_is_mapped_lost_and_let_go() {
+    QProcess npm;
+    npm.start("npm", {"root", "-g"});
+    const bool has_npm = npm.waitForFinished(kPatienceMs) && npm.exitCode() == 0;
+    QProcessEnvironment with_packages = QProcessEnvironment::systemEnvironment();
+    if (has_npm && !with_packages.contains("NODE_PATH"))
+        with_packages.insert("NODE_PATH", QString(npm.readAll()).trimmed());
+    QProcess packages;
+    packages.setProcessEnvironment(with_packages);
+    packages.start("node", {"-e", "require('@foxglove/ws-protocol'); require('ws')"});
+    if (!packages.waitForFinished(kPatienceMs) || packages.exitCode() != 0)
+        QSKIP("node or its packages @foxglove/ws-protocol and ws are missing");
+    ConnectFixture f;
+    const auto recording = test::mcap_of(test::small_tour(test::Bytes::cdr(), 60));
+    const QString tour = f.write("tour.mcap", QByteArray::fromStdString(recording));
+    QProcess robot;
+    robot.setProcessEnvironment(with_packages);
+    robot.start("node", {Fixture::source_file("tests/programs/foxglove_server.js"), tour, "2"});
+    QTRY_VERIFY(robot.canReadLine() || robot.state() == QProcess::NotRunning);
+    const QString port = QString(robot.readLine()).trimmed();
+    f.dialog().findChild<QLineEdit*>("connect_file")->setText(f.path("kept.mcap"));
+    f.connect_to("ws://127.0.0.1:" + port);
+    QTRY_VERIFY(f.session.is_live());
+    QVERIFY(!f.window->findChild<ConnectDialog*>()->isVisible());  // the map is what is looked at
+    QTRY_COMPARE(f.steps(), 60U);
+    auto* said = f.window->findChild<QLabel*>("status_state");
+    QTRY_VERIFY2(said->text().startsWith("Connection lost"), qPrintable(said->text()));
+    auto* topics = f.dialog().findChild<QTreeWidget*>("connect_topics");
+    QCOMPARE(topics->findItems("/scan", Qt::MatchExactly).value(0)->text(3), QString("60"));
+    QVERIFY(f.state_words().contains("lost"));
+    f.act()->click();
+    QTRY_VERIFY(f.state() == Progress::State::finished && f.shows_everything());
+    QTRY_VERIFY2(f.state_words().contains("kept.mcap"), qPrintable(f.state_words()));
+    QCOMPARE(f.session.configuration().source.file, f.path("kept.mcap").toStdString());
+    same_maps(*f.session.snapshot(), *again(f.session.configuration()));
+    // Its file's name is used up.
+    QVERIFY(f.dialog().findChild<QLineEdit*>("connect_file")->text() != f.path("kept.mcap"));
+    robot.kill();
+    robot.waitForFinished();
 }
 
 void ConnectTest::what_cannot_be_followed_is_told() {

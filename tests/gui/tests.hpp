@@ -51,6 +51,7 @@ class ConnectTest : public QObject {
     void without_odometry_the_scans_say_how_it_goes();
     void a_scan_is_not_there_before_its_odometry();
     void of_several_lasers_one_is_chosen();
+    void a_robot_is_mapped_lost_and_let_go();
     void what_cannot_be_followed_is_told();
 };
 
