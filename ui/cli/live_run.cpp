@@ -89,11 +89,10 @@ LiveRun::LiveRun(const LiveOptions& options, const std::string& log, const std::
     if (server || is_standard_input(log)) {
         const fs::path name =
             options.received.empty() ? name_beside(out) : fs::path(options.received);
-        source_ =
-            server ? LiveSource::of_server(log, name, replace,
-                                           std::chrono::seconds(std::llround(options.patience_s)),
-                                           goes_on)
-                   : LiveSource::of_pipe(STDIN_FILENO, name, replace, goes_on);
+        source_ = server ? LiveSource::of_server(
+                               log, name, replace,
+                               std::chrono::seconds(std::llround(options.patience_s)), goes_on)
+                         : LiveSource::of_pipe(STDIN_FILENO, name, replace, goes_on);
         received_ = source_ != nullptr;
         if (received_) fmt::print(stderr, "received: {}\n", on_one_line(file()));
     } else {
