@@ -9,7 +9,7 @@ namespace hitos {
 std::vector<TourFinding> LiveDoubts::look(RunWorker& run) {
     constexpr std::uint64_t kFirst = 100;
     const std::uint64_t steps = run.progress().steps;
-    if (!looking_.valid() && steps >= std::max(kFirst, 2 * looked_at_)) {
+    if (!looking_.valid() && !weighing_.valid() && steps >= std::max(kFirst, 2 * looked_at_)) {
         looked_at_ = steps;
         // It is answered between two scans, for which nobody waits here.
         looking_ = run.with_run([](const Algoritmo& now) -> Evidence {
@@ -18,11 +18,15 @@ std::vector<TourFinding> LiveDoubts::look(RunWorker& run) {
         });
     }
     using namespace std::chrono_literals;
-    if (!looking_.valid() || looking_.wait_for(0s) != std::future_status::ready) return {};
-    const auto [examination, findings] = looking_.get();
-    if (!examination) return {};
+    if (looking_.valid() && looking_.wait_for(0s) == std::future_status::ready) {
+        weighing_ = std::async(std::launch::async, [evidence = looking_.get()] {
+            const auto& [examination, findings] = evidence;
+            return examination ? examination->findings(findings) : std::vector<TourFinding>();
+        });
+    }
+    if (!weighing_.valid() || weighing_.wait_for(0s) != std::future_status::ready) return {};
     std::vector<TourFinding> fresh;
-    for (const TourFinding& finding : examination->findings(findings)) {
+    for (const TourFinding& finding : weighing_.get()) {
         if (std::ranges::count(told_, finding.kind) > 0) continue;
         told_.push_back(finding.kind);
         fresh.push_back(finding);

@@ -231,6 +231,7 @@ QString ConnectDialog::state_words() const {
                 .arg(Connection::kOpeningScans);
         case Connection::State::live: {
             if (!received.link.connected) return tr("The connection is lost and looked for again.");
+            if (!connection_.problem().isEmpty()) return connection_.problem();
             const auto& tour = session_.incoming_tour();
             const double silent = tour ? tour->silent_s() : 0.0;
             if (silent > kWorthSayingS) return tr("No scan for %1.").arg(seconds_words(silent));
@@ -250,7 +251,7 @@ QString ConnectDialog::state_words() const {
     if (!connection_.file().isEmpty()) {
         said << tr("What was received is in %1").arg(QDir::toNativeSeparators(connection_.file()));
     }
-    return said.join(' ');
+    return said.join('\n');
 }
 
 const char* ConnectDialog::state_role() const {
@@ -258,6 +259,7 @@ const char* ConnectDialog::state_role() const {
     const Connection::State state = connection_.state();
     const bool lost = received.link.given_up || (connection_.active() && !received.link.connected);
     if (state == Connection::State::over && !connection_.problem().isEmpty()) return "error";
+    if (state == Connection::State::live && !connection_.problem().isEmpty()) return "warning";
     if (lost || (state == Connection::State::waiting && !received.problem.isEmpty()))
         return "warning";
     return state == Connection::State::live ? "good" : "muted";

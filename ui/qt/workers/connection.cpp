@@ -162,13 +162,18 @@ void Connection::open(const std::shared_ptr<Attempt>& attempt, const Wish& wish)
         }
         opening = live->wait_for_opening(
             source.format, source.read, kOpeningScans, [&](const LiveSource::Opening& now) {
-                Received received{now.scans,
-                                  bytes_of(source.file),
-                                  live->link(),
-                                  topics_now(*live, now.to_choose),
-                                  words_of(now.problem),
+                const std::uint64_t bytes = bytes_of(source.file);
+                // A file is listed by reading all of it: anew where it has grown by a half.
+                if (server || 2 * bytes > 3 * listed_bytes) {
+                    listed = topics_now(*live, now.to_choose);
+                    listed_bytes = listed.empty() ? 0 : bytes;
+                }
+                Received received{now.scans,    bytes, live->link(), listed, words_of(now.problem),
                                   now.to_choose};
-                tell(attempt, [this, received = std::move(received), news = live->take_news()] {
+                const bool kept = live->holds_something();
+                tell(attempt, [this, received = std::move(received), news = live->take_news(),
+                               name = QString::fromStdString(kept ? source.file : "")] {
+                    file_ = name;
                     note(received, news);
                 });
                 const std::scoped_lock lock(attempt->mutex);
@@ -203,11 +208,17 @@ void Connection::look() {
           {},
           false},
          tour_->source().take_news());
+    const std::optional<FileError> found = source.problem();
+    const QString problem = found ? words_of(*found) : QString();
+    if (state_ == State::live && problem != problem_) {
+        problem_ = problem;
+        emit said(problem);
+        emit changed();
+    }
     if (!over) return;
-    const std::optional<FileError> problem = source.problem();
     tour_ = nullptr;
     timer_.stop();
-    if (state_ == State::live) stop(problem ? words_of(*problem) : QString());
+    if (state_ == State::live) stop(problem);
 }
 
 void Connection::note(Received received, const std::vector<Message>& news) {

@@ -65,7 +65,8 @@ class Connection final : public QObject {
     const Received& received() const { return received_; }
     /// Where what came is kept; empty where nothing did.
     const QString& file() const { return file_; }
-    /// Why it is over; empty where it ended as it was asked to, or the link was given up.
+    /// Why it is over, or what is amiss with the file; empty where it ended as it was asked to, or
+    /// the link was given up.
     const QString& problem() const { return problem_; }
 
   signals:

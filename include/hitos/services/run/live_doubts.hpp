@@ -27,6 +27,7 @@ class LiveDoubts {
 
     std::uint64_t looked_at_ = 0;  ///< steps
     std::future<Evidence> looking_;
+    std::future<std::vector<TourFinding>> weighing_;  ///< beside whoever looks
     std::vector<TourFinding::Kind> told_;
 };
 
