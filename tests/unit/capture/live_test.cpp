@@ -148,9 +148,10 @@ TEST(LiveTour, OfADamagedMcapIsThatOfTheWholeFile) {
         // Records begin where nobody knows: lengths are hit among other bytes.
         for (int k = 0; k < 4; ++k) {
             const std::size_t at = opening + random() % (content.size() - opening);
-            content[at] = static_cast<char>(content[at] + 1 + random() % 255);
+            content[at] = static_cast<char>(content[at] + 1 + static_cast<int>(random() % 255));
         }
-        Log live = read_growing(folder, content, opening, 300, random());
+        Log live =
+            read_growing(folder, content, opening, 300, static_cast<std::uint32_t>(random()));
         Log whole = read_whole(folder, content, opening);
         // Whether what is damaged is a message too, and counted, shows sooner or later.
         for (Log* log : {&live, &whole}) {

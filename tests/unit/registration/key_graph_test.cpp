@@ -86,8 +86,8 @@ TEST(KeyGraph, TheLocalMapHasTheNewestKeysAndTheNearestOfAnEarlierPassage) {
 
 TEST(KeyGraph, OfACrowdOfPassagesTheOldestAreTaken) {
     const auto passages = [](std::uint32_t count) {
-        KeyGraph graph = line_of(10 * count, 0.01, 1e-4);
-        for (std::uint32_t key = 0; key < 10 * count; ++key)
+        KeyGraph graph = line_of(std::size_t{10} * count, 0.01, 1e-4);
+        for (std::uint32_t key = 0; key < graph.size(); ++key)
             graph.poses[key].pose = {0.3 * (key % 10), 0.0, 0.0};
         const std::vector<GraphReach> reach(graph.size(), GraphReach{.way_m = 0.0});
         const MapOfKeys map{graph.size(), {1.5, 0.0, 0.0}, 10};
