@@ -91,10 +91,6 @@ class Stretch {
     std::vector<Joint> joints_;
 };
 
-bool contains(std::span<const GraphEdit> edits, const GraphEdit& edit) {
-    return std::ranges::any_of(edits, [&](const GraphEdit& one) { return same_change(one, edit); });
-}
-
 }  // namespace
 
 bool Registration::Impl::foresee(const std::string& text) {
@@ -107,7 +103,7 @@ bool Registration::Impl::foresee(const std::string& text) {
                             const std::vector<GraphEdit>& other) {
         std::vector<GraphEdit> found;
         for (const GraphEdit& edit : edits) {
-            if (edit.scan.scan < placed_.size() && !contains(other, edit)) found.push_back(edit);
+            if (edit.scan.scan < placed_.size() && !has_change(other, edit)) found.push_back(edit);
         }
         return found;
     };

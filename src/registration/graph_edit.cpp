@@ -258,6 +258,10 @@ bool same_change(const GraphEdit& a, const GraphEdit& b) {
            a.right == b.right;
 }
 
+bool has_change(std::span<const GraphEdit> edits, const GraphEdit& edit) {
+    return std::ranges::any_of(edits, [&](const GraphEdit& one) { return same_change(one, edit); });
+}
+
 std::uint64_t untouched_scans(std::span<const GraphEdit> before, std::span<const GraphEdit> after,
                               std::span<const std::uint64_t> keys) {
     // A key for its own sake, which no change makes one.
@@ -271,10 +275,7 @@ std::uint64_t untouched_scans(std::span<const GraphEdit> before, std::span<const
     std::uint64_t first = std::numeric_limits<std::uint64_t>::max();
     const auto note = [&](std::span<const GraphEdit> edits, std::span<const GraphEdit> others) {
         for (const GraphEdit& edit : edits) {
-            if (std::ranges::any_of(others,
-                                    [&](const GraphEdit& one) { return same_change(one, edit); })) {
-                continue;
-            }
+            if (has_change(others, edit)) continue;
             first = std::min(first, edit.scan.scan);
             if (edit.kind == GraphEdit::Kind::close && !is_key(edit.earlier.scan))
                 first = std::min(first, edit.earlier.scan);

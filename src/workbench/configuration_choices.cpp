@@ -26,9 +26,7 @@ void add_those_of_map(Configuracion& configuration) {
     std::vector<GraphEdit> all = parse_graph_edits(of_map);
     if (all.empty()) return;
     for (const GraphEdit& edit : parse_graph_edits(configuration.registration.edits)) {
-        const bool there = std::ranges::any_of(
-            all, [&](const GraphEdit& other) { return same_change(edit, other); });
-        if (!there) all.push_back(edit);
+        if (!has_change(all, edit)) all.push_back(edit);
     }
     configuration.registration.edits = text_of(all);
 }

@@ -134,9 +134,7 @@ std::vector<GraphEdit> changes_of_map(const Configuracion& configuration) {
     std::vector<GraphEdit> changed;
     const auto take_new = [&](const std::vector<GraphEdit>& of, const std::vector<GraphEdit>& to) {
         for (const GraphEdit& edit : of) {
-            const bool there = std::ranges::any_of(
-                to, [&](const GraphEdit& other) { return same_change(edit, other); });
-            if (!there && std::max(edit.scan.scan, edit.earlier.scan) < scans)
+            if (!has_change(to, edit) && std::max(edit.scan.scan, edit.earlier.scan) < scans)
                 changed.push_back(edit);
         }
     };

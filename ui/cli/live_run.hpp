@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -24,9 +25,9 @@ namespace hitos::cli {
 
 struct LiveOptions {
     bool follow = false;
-    std::string received;      ///< what comes in is kept in; empty: beside the results
-    double patience_s = 60.0;  ///< for a connection that is lost
-    std::size_t opening = 20;
+    std::string received;  ///< what comes in is kept in; empty: beside the results
+    double patience_s = std::chrono::duration<double>(LiveSource::kPatience).count();
+    std::size_t opening = LiveSource::kOpeningScans;
     std::string poses;
 };
 

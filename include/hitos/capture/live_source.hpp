@@ -44,6 +44,10 @@ class LiveSource {
   public:
     /// Whether one that is being waited for is to go on.
     using GoesOn = std::function<bool()>;
+    /// Where nobody says otherwise: how many scans are looked at before the first one is taken, and
+    /// for how long a lost connection is looked for.
+    static constexpr std::size_t kOpeningScans = 20;
+    static constexpr std::chrono::seconds kPatience{60};
 
     /// Follows a file that another program writes. Throws FileError where it cannot.
     explicit LiveSource(const std::filesystem::path& file);

@@ -92,6 +92,8 @@ FormatError wrong_edit(const PlacedEdits& edits, std::size_t number, const Messa
 
 /// Whether they do the same: but for stamps and comments they are equal.
 bool same_change(const GraphEdit& a, const GraphEdit& b);
+/// Whether one of them does the same.
+bool has_change(std::span<const GraphEdit> edits, const GraphEdit& edit);
 /// How many scans come before the first that a change makes otherwise which is in one of the lists
 /// alone. `keys` are the key scans of a run with the first list, in their order.
 std::uint64_t untouched_scans(std::span<const GraphEdit> before, std::span<const GraphEdit> after,

@@ -27,7 +27,7 @@ RecordedTopic offer_of(const ReceivedTopic& topic) {
 }  // namespace
 
 FoxgloveReceiver::FoxgloveReceiver(std::string url, std::chrono::seconds patience,
-                                   std::chrono::seconds silence, const WebSocket::GoesOn& goes_on)
+                                   const WebSocket::GoesOn& goes_on, std::chrono::seconds silence)
     : url_(std::move(url)),
       address_(url_),
       patience_(patience),

@@ -35,8 +35,8 @@ class FoxgloveReceiver {
     /// `silence` is told.
     FoxgloveReceiver(
         std::string url, std::chrono::seconds patience,
-        std::chrono::seconds silence = std::chrono::seconds(5),
-        const WebSocket::GoesOn& goes_on = [] { return true; });
+        const WebSocket::GoesOn& goes_on = [] { return true; },
+        std::chrono::seconds silence = std::chrono::seconds(5));
 
     /// Until it is asked to stop, or a lost connection was not found again for as long as patience
     /// goes. Throws what `put` throws.

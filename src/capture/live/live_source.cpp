@@ -28,7 +28,6 @@ namespace hitos {
 namespace {
 
 constexpr int kWaitMilliseconds = 20;
-constexpr std::chrono::seconds kSilence(5);  // of a server, that is told
 
 /// Closes what it holds.
 class Descriptor {
@@ -168,7 +167,7 @@ std::unique_ptr<LiveSource> LiveSource::of_server(const std::string& url,
                                                   const GoesOn& goes_on) {
     std::shared_ptr<FoxgloveReceiver> receiver;
     try {
-        receiver = std::make_shared<FoxgloveReceiver>(url, patience, kSilence, goes_on);
+        receiver = std::make_shared<FoxgloveReceiver>(url, patience, goes_on);
     } catch (const ConnectionError&) {
         if (goes_on()) throw;
     }

@@ -280,7 +280,8 @@ TEST(FoxgloveReceiver, SaysWhatItWaitsForInVain) {
     }});
     std::vector<std::string> news;
     std::stop_source stop;
-    FoxgloveReceiver receiver(server.url(), kPatience, std::chrono::seconds(0));
+    FoxgloveReceiver receiver(
+        server.url(), kPatience, [] { return true; }, std::chrono::seconds(0));
     receiver.receive(
         stop.get_token(), [](std::string_view) {},
         [&](const Message& one) {

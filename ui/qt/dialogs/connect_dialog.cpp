@@ -228,7 +228,7 @@ QString ConnectDialog::state_words() const {
             if (!received.problem.isEmpty()) return tr("Waits: %1").arg(received.problem);
             return tr("Scan %1 of %2, then the map begins.")
                 .arg(received.scans)
-                .arg(Connection::kOpeningScans);
+                .arg(LiveSource::kOpeningScans);
         case Connection::State::live: {
             if (!received.link.connected) return tr("The connection is lost and looked for again.");
             if (!connection_.problem().isEmpty()) return connection_.problem();

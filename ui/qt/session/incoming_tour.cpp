@@ -38,7 +38,7 @@ class IncomingReader final : public TourReader {
 
 }  // namespace
 
-void IncomingTour::end() {
+IncomingTour::~IncomingTour() {
     source_->end();  // no reader waits any more
     readers_.clear();
 }

@@ -30,13 +30,11 @@ class IncomingTour {
 
     IncomingTour(std::shared_ptr<LiveSource> source, Arrived arrived)
         : source_(std::move(source)), arrived_(std::move(arrived)) {}
-    ~IncomingTour() { end(); }
+    /// The tour is what has come by now, and nobody is called any more.
+    ~IncomingTour();
     IncomingTour(const IncomingTour&) = delete;
     IncomingTour& operator=(const IncomingTour&) = delete;
 
-    /// The tour is what has come by now, and nobody is called any more. It may take some seconds
-    /// where a lost connection is being looked for.
-    void end();
     LiveSource& source() const { return *source_; }
     /// Whether that configuration's source is what comes in, from the same beginning.
     bool is_of(const Configuracion& configuration) const;

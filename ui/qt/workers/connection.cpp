@@ -20,7 +20,6 @@
 namespace hitos::window {
 namespace {
 
-constexpr std::chrono::seconds kPatience(60);
 constexpr int kLookMs = 100;
 
 /// Those of a server; of a recording that is being written only where one has to be chosen.
@@ -136,8 +135,8 @@ void Connection::open(const std::shared_ptr<Attempt>& attempt, const Wish& wish)
     const bool server = is_websocket_address(address);
     std::shared_ptr<LiveSource> live;
     if (server) {
-        live = LiveSource::of_server(address, wish.name.toStdString(), wish.replace, kPatience,
-                                     [&attempt] { return !attempt->stop; });
+        live = LiveSource::of_server(address, wish.name.toStdString(), wish.replace,
+                                     LiveSource::kPatience, [&attempt] { return !attempt->stop; });
         if (!live) return;
     } else {
         live = std::make_shared<LiveSource>(address);
@@ -161,7 +160,8 @@ void Connection::open(const std::shared_ptr<Attempt>& attempt, const Wish& wish)
             source.read.odom_topic = attempt->odometry.toStdString();
         }
         opening = live->wait_for_opening(
-            source.format, source.read, kOpeningScans, [&](const LiveSource::Opening& now) {
+            source.format, source.read, LiveSource::kOpeningScans,
+            [&](const LiveSource::Opening& now) {
                 const std::uint64_t bytes = bytes_of(source.file);
                 // A file is listed by reading all of it: anew where it has grown by a half.
                 if (server || 2 * bytes > 3 * listed_bytes) {

@@ -42,7 +42,6 @@ class Connection final : public QObject {
         QString problem;         ///< why nothing can be made of it yet; empty where something can
         bool to_choose = false;  ///< among its topics
     };
-    static constexpr int kOpeningScans = 20;
 
     Connection(Session& session, QObject* parent);
     ~Connection() override;
