@@ -72,6 +72,7 @@ void Procesador::restart() {
     last_odometry_.reset();
     track_.reset();
     sweeps_ = {};
+    returns_ = {};
     clock_ = ScanClock(options_.scan_clock);
     axes_ = OdometryAxes(options_.odometry_axes);
     steps_ = {};
@@ -126,6 +127,7 @@ std::optional<Scan> Procesador::next_scan() {
                 ++report_.duplicate_scans;
                 continue;
             }
+            if (last_scan_) returns_.note(last_scan_->time_s, scan->time_s);
             last_scan_ = *scan;
             const double late_s = options_.scan_delay_s + clock_.added(scan->time_s);
             if (late_s != 0.0) {
@@ -148,6 +150,13 @@ std::optional<Scan> Procesador::next_scan() {
             note_damage(line ? line->number : 0, error.problem());
         }
     }
+}
+
+void Procesador::Returns::note(double before_s, double now_s) {
+    constexpr double kLate = 2.0;  // [s]: less is out of order
+    if (before_s - now_s <= std::max(kLate, most_s)) return;
+    most_s = before_s - now_s;
+    at_s = before_s;
 }
 
 void Procesador::mend(Scan& scan) {
@@ -196,6 +205,19 @@ std::vector<TourFinding> Procesador::findings() const {
              {{marked(HITOS_TEXT("Errors",
                                  "let the driver say how long it takes from one ray to the next "
                                  "(time_increment)"))}}});
+    }
+    if (returns_.most_s > 0.0) {
+        found.push_back(
+            {TourFinding::Kind::clock_back,
+             returns_.most_s,
+             message(HITOS_TEXT("Errors",
+                                "the clock goes back, at %1 s by %2 s: a recording that was played "
+                                "again, or a clock that was set; scans behind that are taken to be "
+                                "of times that were, and lie anywhere"),
+                     fmt::format("{:.1f}", returns_.at_s), fmt::format("{:.1f}", returns_.most_s)),
+             {{marked(HITOS_TEXT("Errors",
+                                 "record or play the tour once; of a log that goes back, make a "
+                                 "log of each part, and go on with the map of the first"))}}});
     }
     steps_.tell(found, options_);
     const auto still = [&](OdometryFrom asked, Message what, Remedy remedy) {
@@ -267,6 +289,7 @@ std::optional<Odometria> Procesador::next_odometry() {
             const bool by_pose =
                 record->pose_odom_robot && options_.odometry != OdometryFrom::velocities;
             note_motion(*record);
+            if (last_odometry_) returns_.note(last_odometry_->time_s, record->time_s);
             const std::optional<Odometria> reading =
                 by_pose ? from_pose(*record) : from_velocity(*record);
             if (reading) return reading;

@@ -18,13 +18,13 @@ namespace {
 
 using Kind = TourFinding::Kind;
 
-constexpr std::array<std::string_view, 29> kWords{
-    "clocks-apart",    "scan-delay",     "late-stamps",      "ray-times",         "parts-of-a-turn",
-    "clock-speed",     "clock-set",      "coarse-stamps",    "assumed-mounting",  "two-publishers",
-    "mirrored-laser",  "turned-laser",   "wrong-fan",        "misplaced-laser",   "no-odometry",
-    "unread-odometry", "still-odometry", "leaping-odometry", "sideways-odometry", "odometry-scale",
-    "odometry-turns",  "odometry-units", "laser-units",      "beyond-a-turn",     "blind-laser",
-    "self-hits",       "frozen-laser",   "unfit-odometry",   "unsure-drawing"};
+constexpr std::array<std::string_view, 30> kWords{
+    "clocks-apart",   "scan-delay",      "late-stamps",    "ray-times",        "parts-of-a-turn",
+    "clock-speed",    "clock-set",       "clock-back",     "coarse-stamps",    "assumed-mounting",
+    "two-publishers", "mirrored-laser",  "turned-laser",   "wrong-fan",        "misplaced-laser",
+    "no-odometry",    "unread-odometry", "still-odometry", "leaping-odometry", "sideways-odometry",
+    "odometry-scale", "odometry-turns",  "odometry-units", "laser-units",      "beyond-a-turn",
+    "blind-laser",    "self-hits",       "frozen-laser",   "unfit-odometry",   "unsure-drawing"};
 
 /// As kWayShown, where no laser is as the readings say: slow robots show little.
 constexpr double kWayShownOfNone = 0.03;
@@ -340,6 +340,8 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
     for (TourFinding& finding : told) {
         if (finding.kind == Kind::sideways_odometry) settle_axes(finding);
     }
+    if (holds(own, Kind::clock_set))  // of the scans alone, and with a remedy
+        std::erase_if(told, [](const auto& finding) { return finding.kind == Kind::clock_back; });
     if (own.empty() && told.empty()) doubt_whole(own);
     if (own.empty() && told.empty()) doubt_motion(own);
     std::erase_if(told, [&](const TourFinding& finding) {

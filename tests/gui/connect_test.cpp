@@ -12,6 +12,7 @@
 #include "app/opening.hpp"
 #include "dialogs/connect_dialog.hpp"
 #include "gui_fixture.hpp"
+#include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "session/incoming_tour.hpp"
 #include "tests.hpp"
@@ -169,8 +170,47 @@ void ConnectTest::another_log_ends_the_connection() {
 void ConnectTest::a_window_that_closes_waits_for_nothing() {
     ConnectFixture f;
     f.begin();
-    f.window->close();
+    f.prompts.confirms = {true};
+    QVERIFY(f.window->close());
     f.window.reset();
+}
+
+void ConnectTest::nobody_leaves_a_tour_that_comes_in_unasked() {
+    ConnectFixture f;
+    f.begin();
+    ConfigurationActions& actions = f.window->configuration_actions();
+    const QString other = f.write("small.txt", "ODOM 0 0 0\nLASER 0 2 1 0 1 1\n");
+    Configuracion another = f.session.configuration();
+    another.source = {};
+    another.source.file = other.toStdString();
+    const QString with_other = f.path("other.cfg");
+    ArchivoConfiguracion::write(another, with_other.toStdString());
+    auto refused = [&f, asked = qsizetype{0}](const auto& leave) mutable {
+        leave();
+        QCOMPARE(f.prompts.confirmed_texts.size(), ++asked);
+        QVERIFY2(f.prompts.confirmed_texts.back().contains("tour.log"),
+                 qPrintable(f.prompts.confirmed_texts.back()));
+        QVERIFY(f.session.is_live());
+    };
+    refused([&] { QVERIFY(!actions.open(other)); });
+    refused([&] { actions.open(with_other, true); });
+    refused([&] { QVERIFY(!f.window->close()); });
+    // What begins anew on the same tour ends nothing.
+    Configuracion next = f.session.configuration();
+    next.filter.particles = 7;
+    QVERIFY(actions.use_again(next));
+    actions.undo();
+    QTRY_VERIFY(f.caught_up());
+    f.trigger("action_stop");
+    f.trigger("action_restart");
+    f.rest_comes();
+    QTRY_VERIFY2(f.state_words().contains("stands still") || f.state_words().contains("No scan"),
+                 qPrintable(f.state_words()));
+    QCOMPARE(f.prompts.confirmed_texts.size(), 3);
+    QVERIFY(f.session.is_live());
+    f.prompts.confirms = {true};
+    QVERIFY(actions.open(other));
+    QVERIFY(!f.session.is_live());
 }
 
 void ConnectTest::the_beginning_is_waited_for() {
@@ -342,6 +382,14 @@ void ConnectTest::what_cannot_be_followed_is_told() {
     f.connect_to(nobody);
     QCOMPARE(f.prompts.confirmed_texts.size(), asked + 1);
     QCOMPARE(Fixture::read(f.path("kept.mcap")), QByteArray("mine"));
+    // The log of the run is read again and again.
+    const auto recording = test::mcap_of(test::small_tour(test::Bytes::cdr(), 60));
+    const QString log = f.write("run.mcap", QByteArray::fromStdString(recording));
+    QVERIFY(f.window->configuration_actions().open(log));
+    QTRY_COMPARE(f.act()->text(), QString("Connect"));
+    name->setText(log);
+    f.connect_to(nobody);
+    QVERIFY(f.prompts.warnings.takeFirst().contains("this window runs"));
 }
 
 }  // namespace hitos::window

@@ -205,9 +205,8 @@ void LiveRun::tell_early_end() {
     if (!received_ || steps_ > 0) return;
     const std::string name = on_one_line(file());
     if (!source_->holds_something()) {
-        std::error_code ignored;
-        fs::remove(file(), ignored);
-        fmt::print(stderr, "nothing was received: {} is removed\n", name);
+        fmt::print(stderr, "nothing was received: {} is {}\n", name,
+                   source_->give_back() ? "as it was before" : "removed");
         return;
     }
     fmt::print(stderr,

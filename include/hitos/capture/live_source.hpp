@@ -24,7 +24,8 @@
 
 namespace hitos {
 
-/// Whether it is the address of a server ("ws://…"), not the name of a file.
+/// Whether it is the address of a server ("ws://…", or "HOST:PORT" where no file has that name),
+/// not the name of a file.
 bool is_websocket_address(std::string_view source);
 
 /// How it stands with the connection to a server.
@@ -36,6 +37,7 @@ struct LinkState {
 };
 
 class FoxgloveReceiver;
+class ReceivedFile;
 
 /// Whatever a tour comes by, it is a file first, so that nothing is lost and the same file gives
 /// the same map again: one that another program writes, or one that what comes in is put into. Any
@@ -54,7 +56,7 @@ class LiveSource {
     /// Keeps all that comes through the descriptor, which is not closed, in a new file: `name` with
     /// the ending .mcap where that is what comes, else .log. It is over where the other end closes.
     /// Waits for the first byte. Null where that never comes. Throws FileError where the file is
-    /// there already, unless it is to be replaced, or cannot be written.
+    /// there already, unless it is to be replaced by what comes, or cannot be written.
     static std::unique_ptr<LiveSource> of_pipe(int descriptor, const std::filesystem::path& name,
                                                bool replace, const GoesOn& goes_on);
     /// Keeps what a server of the Foxglove WebSocket protocol ("ws://HOST:PORT") tells of lasers,
@@ -91,7 +93,10 @@ class LiveSource {
                                             const std::function<bool(const Opening&)>& told);
 
     /// Whether anything has come that is worth to be kept.
-    bool holds_something() const { return holds_something_; }
+    bool holds_something() const;
+    /// It has not: the file goes again, and one that it was to replace is back, which is told. So
+    /// it is at the end where nobody asks for it.
+    bool give_back();
     /// No more is waited for: the tour is what has come by now.
     void end();
     /// What a server offers, with how many messages have come; nothing where none is asked.
@@ -105,13 +110,15 @@ class LiveSource {
   private:
     /// Puts what comes into the file until it is over or no more is wanted; throws FileError.
     using Receive = std::function<void(const std::stop_token& stop, LiveSource& source)>;
-    LiveSource(const std::filesystem::path& file, Receive receive);
+    LiveSource(std::unique_ptr<ReceivedFile> received, Receive receive);
+    void note_something();
     Opening opening_now(std::string_view format, ReadOptions options, std::size_t scans) const;
 
     std::filesystem::path file_;
     std::shared_ptr<FileGrowth> growth_;
     std::shared_ptr<const FoxgloveReceiver> server_;  ///< null where none is asked
-    std::atomic<bool> holds_something_ = true;
+    std::unique_ptr<ReceivedFile> received_;          ///< null where another program writes it
+    std::atomic<bool> holds_something_ = false;
     std::mutex ending_;
     mutable std::mutex mutex_;
     std::optional<FileError> problem_;

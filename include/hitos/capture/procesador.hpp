@@ -67,6 +67,12 @@ class Procesador final : public TourReader {
         std::array<double, 4> periods_s{};  ///< newest times from scan to scan
         std::optional<double> last_s;
     };
+    /// Where the stamps of a sequence go back to times that were.
+    struct Returns {
+        void note(double before_s, double now_s);
+        double most_s = 0.0;
+        double at_s = 0.0;
+    };
     void mend(Scan& scan);
     void note_motion(const OdometryRecord& record);
     std::optional<Odometria> from_pose(const OdometryRecord& record);
@@ -88,6 +94,7 @@ class Procesador final : public TourReader {
     std::optional<OdometryRecord> last_odometry_;
     std::unique_ptr<OdometryTrack> track_;  ///< where scans are unwarped
     Sweeps sweeps_;
+    Returns returns_;
     ScanClock clock_;
     OdometryAxes axes_;
     OdometrySteps steps_;

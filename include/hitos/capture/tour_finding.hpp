@@ -36,6 +36,7 @@ struct TourFinding {
         parts_of_a_turn,  ///< messages that hold some and cannot be joined; value: those
         clock_speed,  ///< the laser's clock runs at another speed; value: to be added a second [s]
         clock_set,    ///< it was set during the tour; value: to be added besides from then on [s]
+        clock_back,   ///< a sequence's stamps go back to times that were; value: by how much [s]
         coarse_stamps,      ///< several scans share a time; value: share of those
         assumed_mounting,   ///< nothing says where the laser sits; value: the lasers
         two_publishers,     ///< a frame goes to and fro between two places; value: how often

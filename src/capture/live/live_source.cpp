@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hitos/capture/live_source.hpp"
 
-#include <fcntl.h>
 #include <poll.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -20,6 +18,7 @@
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/procesador.hpp"
 #include "live/foxglove_receiver.hpp"
+#include "live/received_file.hpp"
 #include "recordings/mcap_ops.hpp"
 #include "recordings/recording.hpp"
 #include "regular_file.hpp"
@@ -29,21 +28,6 @@ namespace {
 
 constexpr int kWaitMilliseconds = 20;
 
-/// Closes what it holds.
-class Descriptor {
-  public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() {
-        if (number_ >= 0) ::close(number_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int number() const { return number_; }
-
-  private:
-    int number_;
-};
-
 /// What has come; nothing where nothing has yet, 0 bytes at the end. Throws FileError.
 std::optional<std::size_t> read_if_any(int descriptor, std::span<char> out) {
     pollfd event{descriptor, POLLIN, 0};
@@ -52,38 +36,6 @@ std::optional<std::size_t> read_if_any(int descriptor, std::span<char> out) {
     if (got >= 0) return static_cast<std::size_t>(got);
     if (errno == EINTR || errno == EAGAIN) return std::nullopt;
     throw FileError("/dev/stdin", HITOS_TEXT("Errors", "cannot be read: %1"),
-                    system_message(errno));
-}
-
-void append(int target, const std::filesystem::path& file, std::span<const char> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t put = ::write(target, bytes.data(), bytes.size());
-        if (put < 0 && errno == EINTR) continue;
-        if (put < 0) {
-            throw FileError(file.string(),
-                            HITOS_TEXT("Errors",
-                                       "cannot keep what comes in: %1; the tour ends with what it "
-                                       "has"),
-                            system_message(errno));
-        }
-        bytes = bytes.subspan(static_cast<std::size_t>(put));
-    }
-}
-
-/// To be appended to; one that was there already is emptied, or not taken. Throws FileError.
-std::shared_ptr<const Descriptor> new_file(const std::filesystem::path& file, bool replace) {
-    auto target = std::make_shared<const Descriptor>(::open(
-        file.c_str(), O_WRONLY | O_CREAT | (replace ? O_TRUNC : O_EXCL) | O_APPEND | O_CLOEXEC,
-        S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH));
-    if (target->number() >= 0) return target;
-    if (errno == EEXIST) {
-        throw FileError(file.string(),
-                        HITOS_TEXT("Errors",
-                                   "is there already, and may be what another run received; say "
-                                   "--replace to receive in its place, or another name with "
-                                   "--received"));
-    }
-    throw FileError(file.string(), HITOS_TEXT("Errors", "cannot be made to keep what comes in: %1"),
                     system_message(errno));
 }
 
@@ -112,7 +64,9 @@ LiveSource::LiveSource(const std::filesystem::path& file) : file_(file) {
     growth_ = std::make_shared<FileGrowth>(file);
 }
 
-LiveSource::LiveSource(const std::filesystem::path& file, Receive receive) : LiveSource(file) {
+LiveSource::LiveSource(std::unique_ptr<ReceivedFile> received, Receive receive)
+    : LiveSource(received->path()) {
+    received_ = std::move(received);
     receiver_ = std::jthread([this, receive = std::move(receive)](const std::stop_token& stop) {
         try {
             receive(stop, *this);
@@ -129,6 +83,21 @@ LiveSource::LiveSource(const std::filesystem::path& file, Receive receive) : Liv
 
 LiveSource::~LiveSource() {
     end();
+    if (!holds_something()) give_back();
+}
+
+void LiveSource::note_something() {
+    received_->keep();
+    holds_something_ = true;
+}
+
+bool LiveSource::holds_something() const {
+    return !received_ || holds_something_;
+}
+
+bool LiveSource::give_back() {
+    end();
+    return received_ && received_->give_back();
 }
 
 std::unique_ptr<LiveSource> LiveSource::of_pipe(int descriptor, const std::filesystem::path& name,
@@ -148,17 +117,18 @@ std::unique_ptr<LiveSource> LiveSource::of_pipe(int descriptor, const std::files
     }
     std::filesystem::path file = name;
     file += begins_mcap(first) ? ".mcap" : ".log";
-    const auto target = new_file(file, replace);
-    const auto receive = [=](const std::stop_token& stop, LiveSource&) {
-        append(target->number(), file, first);
+    const auto receive = [=](const std::stop_token& stop, LiveSource& source) {
+        source.received_->append(first);
+        source.note_something();
         std::array<char, kInputBytes> block{};
         while (!stop.stop_requested()) {
             const auto got = read_if_any(descriptor, block);
             if (got == std::size_t{0}) return;
-            if (got) append(target->number(), file, std::span(block).first(*got));
+            if (got) source.received_->append(std::span(block).first(*got));
         }
     };
-    return std::unique_ptr<LiveSource>(new LiveSource(file, receive));
+    auto received = std::make_unique<ReceivedFile>(file, replace);
+    return std::unique_ptr<LiveSource>(new LiveSource(std::move(received), receive));
 }
 
 std::unique_ptr<LiveSource> LiveSource::of_server(const std::string& url,
@@ -174,21 +144,20 @@ std::unique_ptr<LiveSource> LiveSource::of_server(const std::string& url,
     if (!receiver || !goes_on()) return nullptr;
     std::filesystem::path file = name;
     file += ".mcap";
-    const auto target = new_file(file, replace);
     const auto receive = [=](const std::stop_token& stop, LiveSource& source) {
-        source.holds_something_ = false;  // but for what describes it
         receiver->receive(
             stop,
             [&](std::string_view bytes) {
-                append(target->number(), file, bytes);
-                source.holds_something_ = receiver->came();
+                source.received_->append(bytes);
+                if (receiver->came()) source.note_something();  // more than what describes it
             },
             [&](Message news) {
                 const std::scoped_lock lock(source.mutex_);
                 source.news_.push_back(std::move(news));
             });
     };
-    std::unique_ptr<LiveSource> source(new LiveSource(file, receive));
+    auto received = std::make_unique<ReceivedFile>(file, replace);
+    std::unique_ptr<LiveSource> source(new LiveSource(std::move(received), receive));
     source->server_ = receiver;
     return source;
 }
@@ -243,7 +212,9 @@ std::optional<LiveSource::Opening> LiveSource::wait_for_opening(
     for (;;) {
         std::exception_ptr failure;
         const bool over = growth_->ended();
-        if (over || looked_at != growth_->size()) {
+        if (!over && !holds_something()) {
+            opening.problem = marked(HITOS_TEXT("Errors", "nothing has come yet"));
+        } else if (over || looked_at != growth_->size()) {
             looked_at = growth_->size();
             try {
                 opening = opening_now(format, options, scans);

@@ -8,7 +8,9 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/websocket.hpp>
 #include <chrono>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "hitos/base/host_port.hpp"
@@ -26,11 +28,18 @@ namespace websocket = beast::websocket;
 using boost::system::error_code;
 
 constexpr std::string_view kScheme = "ws://";
+constexpr std::string_view kSecureScheme = "wss://";
 constexpr std::chrono::seconds kPatience(5);  // to connect
 constexpr std::chrono::seconds kSilence(10);  // after which a link that answers no ping is dead
 constexpr std::chrono::milliseconds kLook(20);
 constexpr std::size_t kFramePiece = std::size_t{1} << 16;  // that is read at once
 constexpr std::size_t kFrameHead = 64;                     // that is kept of what is too large
+
+/// However its letters are written.
+bool begins(std::string_view url, std::string_view scheme) {
+    const std::string_view head = url.substr(0, scheme.size());
+    return beast::iequals({head.data(), head.size()}, {scheme.data(), scheme.size()});
+}
 
 [[noreturn]] void refuse(const std::string& url) {
     throw ConfigError(
@@ -45,11 +54,15 @@ ConnectionError lost(const std::string& url, const error_code& error) {
 }  // namespace
 
 bool is_websocket_address(std::string_view source) {
-    return source.starts_with(kScheme) || source.starts_with("wss://");
+    if (begins(source, kScheme) || begins(source, kSecureScheme)) return true;
+    const auto place = host_and_port(source);
+    std::error_code unknown;
+    return place && place->port && source.find('/') == std::string_view::npos &&
+           !std::filesystem::exists(std::filesystem::path(source), unknown);
 }
 
 WebSocketAddress::WebSocketAddress(const std::string& url) {
-    if (url.starts_with("wss://")) {
+    if (begins(url, kSecureScheme)) {
         throw ConfigError("log",
                           HITOS_TEXT("Errors",
                                      "found \"%1\"; encrypted connections are not spoken, expected "
@@ -57,8 +70,8 @@ WebSocketAddress::WebSocketAddress(const std::string& url) {
                           url);
     }
     std::string_view rest = url;
-    if (!rest.starts_with(kScheme)) refuse(url);
-    rest.remove_prefix(kScheme.size());
+    const bool named = begins(rest, kScheme);
+    if (named) rest.remove_prefix(kScheme.size());
     if (const std::size_t slash = rest.find('/'); slash != std::string_view::npos) {
         path = rest.substr(slash);
         rest = rest.substr(0, slash);
@@ -66,7 +79,7 @@ WebSocketAddress::WebSocketAddress(const std::string& url) {
     const bool odd = std::ranges::any_of(
         url, [](char c) { return static_cast<unsigned char>(c) <= ' ' || c == '\x7f'; });
     const auto place = host_and_port(rest);
-    if (odd || !place || place->port == 0) refuse(url);
+    if (odd || !place || place->port == 0 || (!named && !place->port)) refuse(url);
     host = place->host;
     if (place->port) port = std::to_string(*place->port);
 }

@@ -72,6 +72,24 @@ TEST(Procesador, StampsThatDoNotAdvanceArePutAMillisecondLater) {
     EXPECT_NEAR(test::summed(log.odometry).back().x, 3.0, 1e-12);
 }
 
+/// A recording that was played twice is whole, and its map is none.
+TEST(Procesador, AClockThatGoesBackIsTold) {
+    const auto played = [](int seconds) {
+        std::string text;
+        for (int i = 0; i < seconds; ++i) text += position(100 + i, i);
+        return text;
+    };
+    const Log twice = read_text("radish", played(20) + played(20));
+    ASSERT_EQ(twice.findings.size(), 1U);
+    EXPECT_EQ(twice.findings[0].kind, TourFinding::Kind::clock_back);
+    EXPECT_EQ(word_of(twice.findings[0].kind), "clock-back");
+    EXPECT_NEAR(twice.findings[0].value, 19.0, 1e-9);
+    EXPECT_THAT(twice.findings[0].what.english(), HasSubstr("at 119.0 s by 19.0 s"));
+    EXPECT_TRUE(read_text("radish", played(20)).findings.empty());
+    const std::string late = played(20) + position(118, 20) + position(120, 21);
+    EXPECT_TRUE(read_text("radish", late).findings.empty());  // out of order
+}
+
 /// Poses of a robot that drives a metre ahead a second; from `reset` on they begin anew at zero.
 std::string poses(int count, int reset, double scale = 1.0) {
     std::string text;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hitos/base/error.hpp"
+#include "hitos/capture/live_source.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/results/kept_run.hpp"
@@ -133,6 +134,13 @@ std::optional<int> parse(int argc, char** argv, CommandLine& out) {
         if (out.vary.size() > 2) {
             throw CLI::ArgumentMismatch(fmt::format(
                 "--vary: found {} parameters; a study varies two at the most", out.vary.size()));
+        }
+        const bool still = !out.vary.empty() || !out.screenshot.empty();
+        if (still && is_websocket_address(out.open)) {
+            throw CLI::ArgumentMismatch(
+                fmt::format("{}: found the robot {}; what it sends is mapped first, then that file "
+                            "can be named",
+                            out.vary.empty() ? "--screenshot" : "--vary", out.open));
         }
     } catch (const CLI::ParseError& error) {
         return program.exit(error);

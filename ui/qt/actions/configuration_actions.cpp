@@ -194,7 +194,7 @@ void ConfigurationActions::note_named(const CommandLine& line) {
 }
 
 bool ConfigurationActions::use_again(const Configuracion& configuration) {
-    if (!guard_.may_discard()) return false;
+    if (!guard_.may_begin(configuration)) return false;
     const bool had = has_references();
     if (!use(configuration)) return false;
     if (const QString lost = lost_words(had); !lost.isEmpty()) emit notice(lost);
@@ -300,7 +300,7 @@ bool ConfigurationActions::choose_source(Configuracion next, bool confirmed,
         const std::string world_set = brought ? next.source.world_set : source.world_set;
         next.source = source;
         next.source.world_set = world_set;
-        if (!(confirmed || guard_.may_discard())) continue;
+        if (!guard_.may_begin(next, confirmed)) continue;
         const TourSummary summary = dialog.summary().value_or(SourceInspection{}).tour;
         if (dialog.summary()) emit inspected(next.source, summary);
         const bool had = has_references();
@@ -357,7 +357,6 @@ QString ConfigurationActions::lost_words(bool had) const {
 }
 
 bool ConfigurationActions::use_log(const QString& path) {
-    if (!guard_.may_discard()) return false;
     const bool had = has_references();
     Configuracion next = session_.configuration();
     const QString suited = suit(next, path.toStdString());
@@ -365,6 +364,7 @@ bool ConfigurationActions::use_log(const QString& path) {
     if (next.source.file != path.toStdString()) forget_recording(next);
     next.source.file = path.toStdString();
     next.source.format = kAutoFormat;
+    if (!guard_.may_begin(next)) return false;
     try {
         session_.set_configuration(next);
     } catch (const std::exception& error) {
@@ -423,6 +423,7 @@ bool ConfigurationActions::load_file(const QString& path, bool confirmed) {
                            tr("The run starts from the beginning."), tr("Load")})) {
         return true;  // the user's own wish, nothing to mend
     }
+    if (!guard_.may_begin(next, true)) return true;
     const bool had = has_references();
     if (!use(next)) return false;
     own_.clear();
@@ -529,7 +530,7 @@ QString ConfigurationActions::redo_words() const {
 
 void ConfigurationActions::go_to(std::vector<Configuracion>& there,
                                  std::vector<Configuracion>& back, const QString& words) {
-    if (there.empty() || !guard_.may_discard()) return;
+    if (there.empty() || !guard_.may_begin(there.back())) return;
     const Configuracion from = now_;
     const bool had = has_references();
     in_history_ = true;
@@ -554,7 +555,7 @@ void ConfigurationActions::configure_group(ParameterGroup group) {
     ConfigurationDialog dialog(session_.configuration(), window_);
     dialog.show_group(group);
     while (dialog.exec() == QDialog::Accepted) {
-        if (!guard_.may_discard() || !use(dialog.configuration())) continue;
+        if (!guard_.may_begin(dialog.configuration()) || !use(dialog.configuration())) continue;
         emit notice(tr("The configuration has changed"));
         window_->activateWindow();  // two dialogs have closed at once
         return;

@@ -57,7 +57,7 @@ void LessonGuide::open(const Lesson& lesson) {
         prompts_.warn(&window_, tr("Lesson %1").arg(lesson.number), words_of(error));
         return;
     }
-    if (!guard_.may_discard()) return;
+    if (!guard_.may_leave()) return;
     const QString configuration = QString::fromStdString(lesson.configuration.string());
     if (!configuration_.open(configuration, true)) return;
     show_page(lesson, QString::fromStdString(page.string()));

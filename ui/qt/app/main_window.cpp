@@ -426,7 +426,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
-    if (!graphs_may_end() || !guard_.may_discard() || (world_ != nullptr && !world_->may_end())) {
+    if (!graphs_may_end() || !guard_.may_leave() || (world_ != nullptr && !world_->may_end())) {
         event->ignore();
         return;
     }

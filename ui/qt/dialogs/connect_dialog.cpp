@@ -144,6 +144,12 @@ void ConnectDialog::act() {
     begin(how);
 }
 
+bool ConnectDialog::is_log_in_use(const QString& file) const {
+    const QString path = QFileInfo(file).canonicalFilePath();
+    const QString log = QString::fromStdString(session_.configuration().source.file);
+    return !path.isEmpty() && path == QFileInfo(log).canonicalFilePath();
+}
+
 void ConnectDialog::begin(const SourceParams& how) {
     Connection::Wish wish{address_->text().trimmed(), file_->text().trimmed(), false, how};
     if (is_websocket_address(wish.address.toStdString())) {
@@ -155,6 +161,13 @@ void ConnectDialog::begin(const SourceParams& how) {
         }
         const QString file = wish.name + kEnding;
         file_->setText(file);
+        if (is_log_in_use(file)) {
+            prompts_.warn(this, windowTitle(),
+                          tr("%1 is the log that this window runs. Name another file in which what "
+                             "is received is to be kept.")
+                              .arg(QDir::toNativeSeparators(file)));
+            return;
+        }
         wish.replace = QFileInfo::exists(file);
         if (wish.replace && file != agreed_ && !may_overwrite(prompts_, this, file)) return;
         files_.note_saved("log", file);
@@ -235,7 +248,9 @@ QString ConnectDialog::state_words() const {
             const auto& tour = session_.incoming_tour();
             const double silent = tour ? tour->silent_s() : 0.0;
             if (silent > kWorthSayingS) return tr("No scan for %1.").arg(seconds_words(silent));
-            return tr("The map grows with what comes in.");
+            if (session_.progress().state == Progress::State::running)
+                return tr("The map grows with what comes in.");
+            return tr("The run stands still; what comes in is kept, and mapped when it goes on.");
         }
         case Connection::State::over:
             break;

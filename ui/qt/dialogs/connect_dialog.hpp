@@ -30,6 +30,7 @@ class ConnectDialog final : public QDialog {
 
   private:
     void act();
+    bool is_log_in_use(const QString& file) const;
     void begin(const SourceParams& how);
     void browse();
     void suggest_file();

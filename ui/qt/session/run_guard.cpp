@@ -2,7 +2,10 @@
 #include "run_guard.hpp"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <cmath>
+
+#include "incoming_tour.hpp"
 
 namespace hitos::window {
 namespace {
@@ -12,6 +15,26 @@ QString guard_words(const char* text) {
 }
 
 }  // namespace
+
+bool RunGuard::may_begin(const Configuracion& next, bool agreed) const {
+    const auto& tour = session_.incoming_tour();
+    if (tour && !tour->is_of(next)) return may_leave(agreed);
+    return agreed || may_discard();
+}
+
+bool RunGuard::may_leave(bool agreed) const {
+    const auto& tour = session_.incoming_tour();
+    if (!tour || !tour->is_live()) return agreed || may_discard();
+    const QString file = QString::fromStdString(tour->source().file().string());
+    return prompts_.confirm(
+        window_, {guard_words(QT_TRANSLATE_NOOP("RunGuard", "A tour that comes in")),
+                  guard_words(QT_TRANSLATE_NOOP("RunGuard", "End the tour here?")),
+                  guard_words(QT_TRANSLATE_NOOP("RunGuard",
+                                                "What has come so far is in %1 and can be mapped "
+                                                "again; what comes from now on is not mapped."))
+                      .arg(QDir::toNativeSeparators(file)),
+                  guard_words(QT_TRANSLATE_NOOP("RunGuard", "End the tour")), true});
+}
 
 bool RunGuard::may_discard() const {
     const double seconds = session_.computed_seconds();

@@ -8,14 +8,19 @@
 namespace hitos::window {
 
 /// The one rule: a run that has computed for longer than a minute is not discarded without a
-/// question.
+/// question, and nobody leaves a robot whose tour comes in without one.
 class RunGuard {
   public:
     RunGuard(const Session& session, Prompts& prompts, QWidget* window)
         : session_(session), prompts_(prompts), window_(window) {}
 
-    /// True where little would be lost, or the user agrees.
+    /// The run begins anew. True where little would be lost, or the user agrees.
     bool may_discard() const;
+    /// Another one takes its place, of the tour that comes in or of another; `agreed` where the
+    /// user was asked already whether the run may go.
+    bool may_begin(const Configuracion& next, bool agreed = false) const;
+    /// It goes, with the tour that comes in.
+    bool may_leave(bool agreed = false) const;
     /// What counts as long [s].
     void set_long_run(double seconds) { long_run_s_ = seconds; }
 

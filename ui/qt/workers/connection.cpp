@@ -39,18 +39,6 @@ std::uint64_t bytes_of(const std::filesystem::path& file) {
     return none ? 0 : bytes;
 }
 
-/// Takes a file away into which nothing came.
-struct NothingKept {
-    LiveSource& source;
-    bool ours;  ///< what is being written by another program stays
-    ~NothingKept() {
-        if (!ours || source.holds_something()) return;
-        source.end();
-        std::error_code ignored;
-        std::filesystem::remove(source.file(), ignored);
-    }
-};
-
 }  // namespace
 
 /// What the window and the thread that waits share.
@@ -143,7 +131,6 @@ void Connection::open(const std::shared_ptr<Attempt>& attempt, const Wish& wish)
     }
     SourceParams source = wish.source;
     source.file = live->file().string();
-    const NothingKept nothing{*live, server};
     tell(attempt, [this] {
         state_ = State::waiting;
         emit changed();

@@ -222,7 +222,7 @@ void WorldWindow::drive_through_drawn() {
 }
 
 bool WorldWindow::begin_driving(const QString& path) {
-    if (!guard_.may_discard()) return false;
+    if (!guard_.may_leave()) return false;
     try {
         Configuracion configuration = session_.configuration();
         // What suits a log suits no world, and nothing was chosen for worlds yet.
