@@ -13,10 +13,37 @@
 
 namespace hitos {
 
-void KeyGraph::add(const KeyPose& pose, KeyScan scan) {
+void KeyGraph::add(const KeyPose& pose, KeyScan scan, bool in_crowd) {
+    constexpr double kAwake = 20.0;  // [m] of way behind the newest key, more than loops look at
     poses.push_back(pose);
     scans.push_back(std::move(scan));
     joined_.emplace_back();
+    in_crowd_.push_back(in_crowd);
+    rests_.push_back(false);
+    for (; scans.back().travelled_m - scans[awake_].travelled_m > kAwake; ++awake_) {
+        if (awake_ > 0 && in_crowd_[awake_ - 1] && in_crowd_[awake_] && in_crowd_[awake_ + 1])
+            rest(awake_);
+    }
+}
+
+/// It leads to others still.
+void KeyGraph::rest(std::size_t key) {
+    if (joined_[key].empty()) return;
+    rests_[key] = true;
+    for (const std::uint32_t other : joined_[key]) std::erase(joined_[other], key);
+}
+
+void KeyGraph::thin_resting() {
+    constexpr std::uint8_t kEnough = 3;  // edges, of which one alone may leave a direction open
+    std::vector<std::uint8_t> held(size(), 0);
+    for (const PoseEdge& edge : edges) {
+        if (edge.kind != EdgeKind::anchor && rests_[edge.to] && !rests_[edge.from] &&
+            held[edge.to] < kEnough)
+            ++held[edge.to];
+    }
+    std::erase_if(edges, [&](const PoseEdge& edge) {
+        return !edge.said() && rests_[edge.to] && rests_[edge.from] && held[edge.to] == kEnough;
+    });
 }
 
 void KeyGraph::cut(std::size_t begin) {
@@ -66,7 +93,7 @@ void KeyGraph::reach(std::size_t from, std::vector<GraphReach>& reached, double 
         open.pop();
         if (variance > reached[i].variance_m2 || reached[i].way_m >= way_m) continue;
         const auto go = [&](std::size_t j, double way, double variance_m2, double variance_rad2) {
-            if (reached[j].variance_m2 <= variance) return;  // it has its way
+            if (rests_[j] || reached[j].variance_m2 <= variance) return;  // or it has its way
             const double dx = poses[j].pose.x - poses[from].pose.x;
             const double dy = poses[j].pose.y - poses[from].pose.y;
             const double there = variance + variance_m2 + variance_rad2 * (dx * dx + dy * dy);
@@ -119,33 +146,32 @@ std::size_t first_new(const KeyGraph& graph, const MapOfKeys& map) {
 /// The `most` nearest, nearest first. Where a crowd of others is hardly farther, since the robot
 /// has gone the same way a dozen times, the oldest of all of them, oldest first: tied to passages
 /// at random a graph of many is one whose factor grows with the square of its keys.
-std::vector<std::uint32_t> nearest_of(std::vector<std::pair<double, std::uint32_t>> keys,
-                                      std::size_t most) {
+OlderKeys nearest_of(std::vector<std::pair<double, std::uint32_t>> keys, std::size_t most) {
     constexpr std::size_t kCrowd = 4;       // times as many as are wanted
     constexpr double kHardlyFarther = 0.5;  // [m]
     const std::size_t kept = std::min(keys.size(), most);
     const auto end = keys.begin() + static_cast<std::ptrdiff_t>(kept);
     std::partial_sort(keys.begin(), end, keys.end());
+    OlderKeys nearest;
     if (kept > 0) {
         const double farthest_m = std::prev(end)->first + kHardlyFarther;
         const auto crowd = std::partition(end, keys.end(),
                                           [&](const auto& key) { return key.first < farthest_m; });
-        if (crowd - keys.begin() > static_cast<std::ptrdiff_t>(kCrowd * most)) {
+        nearest.crowd = crowd - keys.begin() > static_cast<std::ptrdiff_t>(kCrowd * most);
+        if (nearest.crowd) {
             std::ranges::partial_sort(keys.begin(), end, crowd, {},
                                       &std::pair<double, std::uint32_t>::second);
         }
     }
-    std::vector<std::uint32_t> nearest;
-    nearest.reserve(kept);
-    for (std::size_t i = 0; i < kept; ++i) nearest.push_back(keys[i].second);
+    nearest.keys.reserve(kept);
+    for (std::size_t i = 0; i < kept; ++i) nearest.keys.push_back(keys[i].second);
     return nearest;
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> older_keys(const KeyGraph& graph, const MapOfKeys& map,
-                                      std::span<const GraphReach> reached, double way_m,
-                                      std::size_t most) {
+OlderKeys older_keys(const KeyGraph& graph, const MapOfKeys& map,
+                     std::span<const GraphReach> reached, double way_m, std::size_t most) {
     std::vector<std::pair<double, std::uint32_t>> older;
     const std::size_t end = std::min(first_new(graph, map), reached.size());
     for (std::uint32_t j = 0; j < end; ++j) {
@@ -165,7 +191,8 @@ void select_keys(const KeyGraph& graph, const MapOfKeys& map, std::span<const st
         const double distance = distance_m(graph.poses[j].pose, map.at);
         if (distance < kNearKey) near.emplace_back(distance, j);
     }
-    std::ranges::copy(nearest_of(std::move(near), map.newest / 2), std::back_inserter(selected));
+    std::ranges::copy(nearest_of(std::move(near), map.newest / 2).keys,
+                      std::back_inserter(selected));
 }
 
 void build_map(const KeyGraph& graph, std::span<const std::uint32_t> selected, const Pose& centre,

@@ -48,7 +48,15 @@ class KeyGraph {
     std::vector<PoseEdge> edges;
 
     std::size_t size() const { return poses.size(); }
-    void add(const KeyPose& pose, KeyScan scan);
+    /// `in_crowd`: at a place where so many keys were that it says nothing new (older_keys). Those
+    /// of a way through such places come to rest when the robot is far enough along: nothing leads
+    /// to them any more, so that who goes the same way all day has no more keys to look at than
+    /// after a dozen times.
+    void add(const KeyPose& pose, KeyScan scan, bool in_crowd = false);
+    bool rests(std::size_t key) const { return rests_[key]; }
+    /// Of the edges to a key that rests, where there are enough from others, those from keys that
+    /// rest go: it hangs on keys that stay, and costs a solution next to nothing.
+    void thin_resting();
     /// Cuts the tour before a key: no edge but those by hand stays between the keys before it and
     /// the others, until one joins them.
     void cut(std::size_t begin);
@@ -61,7 +69,7 @@ class KeyGraph {
 
     /// Of every key from key `from`, by the way of least variance: each step adds its own and what
     /// its heading does at the distance to `from`. Nothing beyond `way_m` along the graph is gone
-    /// on from, nor over a cut but where a loop joins both sides.
+    /// on from, nor over a cut but where a loop joins both sides, and nothing leads to who rests.
     void reach(std::size_t from, std::vector<GraphReach>& reached,
                double way_m = GraphReach::kNever) const;
 
@@ -74,8 +82,13 @@ class KeyGraph {
                          std::size_t newest, std::vector<PoseEdge>& found) const;
 
   private:
+    void rest(std::size_t key);
+
     std::vector<std::vector<std::uint32_t>> joined_;
     std::vector<std::size_t> cuts_;  // ascending
+    std::vector<bool> in_crowd_;
+    std::vector<bool> rests_;
+    std::size_t awake_ = 0;  // the first key that may still come to rest
 };
 
 inline double distance_m(const Pose& a, const Pose& b) {
@@ -92,11 +105,15 @@ struct MapOfKeys {
     Pose at;
     std::size_t newest;
 };
+/// `crowd` where hardly farther ones are many times as many: then they are the oldest of those.
+struct OlderKeys {
+    std::vector<std::uint32_t> keys;
+    bool crowd = false;
+};
 /// Of the older keys that `reached` says are less than `way_m` away along the graph the `most`
 /// nearest to the map's middle, nearest first.
-std::vector<std::uint32_t> older_keys(const KeyGraph& graph, const MapOfKeys& map,
-                                      std::span<const GraphReach> reached, double way_m,
-                                      std::size_t most);
+OlderKeys older_keys(const KeyGraph& graph, const MapOfKeys& map,
+                     std::span<const GraphReach> reached, double way_m, std::size_t most);
 
 /// Which keys make the map: the newest ones, and of these older ones, in any order, the nearest
 /// within kNearKey.

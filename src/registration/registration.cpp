@@ -149,8 +149,9 @@ void Registration::Impl::learn(const DrivenWay& way, const Guess& guess, const P
 void Registration::Impl::refresh_map(const Pose& about) {
     if (!map_stale_) return;
     const MapOfKeys map{graph_.size(), about, newest_in_map()};
-    select_keys(graph_, map, older_keys(graph_, map, reached_, kOldKeysWay, map.newest / 2),
-                map_keys_);
+    const OlderKeys older = older_keys(graph_, map, reached_, kOldKeysWay, map.newest / 2);
+    in_crowd_ = older.crowd;
+    select_keys(graph_, map, older.keys, map_keys_);
     build_map(graph_, map_keys_, about, kMapHalf, map_);
     map_stale_ = false;
 }
@@ -169,7 +170,7 @@ void Registration::Impl::add_key(std::uint64_t scan, const TourBegin* begin) {
     key.travelled_m = travelled_m_;
     key.variance_m2 = variance_m2_ + kKeySlip * kKeySlip;
     key.variance_rad2 = variance_rad2_ + kKeySlipRad * kKeySlipRad;
-    graph_.add({now_, scan}, std::move(key));
+    graph_.add({now_, scan}, std::move(key), in_crowd_ && begin == nullptr);
     const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
     if (begin != nullptr) {
         begin_second_tour(scan, *begin);

@@ -151,6 +151,7 @@ class Registration::Impl {
     PointMap map_;
     std::vector<std::uint32_t> map_keys_;
     bool map_stale_ = true;
+    bool in_crowd_ = false;  // of the map's older keys
     // Where the robot may have been carried, as long as nothing has told that it was not.
     std::vector<CarriedPiece> carried_;
     std::size_t held_ = 0;                    // keys that stay where they are

@@ -18,6 +18,7 @@ void Registration::Impl::finish(bool another_follows) {
     if (!another_follows) editor_.check_end(placed_.size());
     if (graph_.size() < 2) return;
     const std::vector<KeyPose> before = graph_.poses;
+    graph_.thin_resting();
     solve(graph_.poses, graph_.edges, solution(10, true));
     std::vector<std::vector<std::uint32_t>> older;  // of each key, by the first pass
     for (int pass = 0; pass < params_.final_passes; ++pass) register_anew(older);
@@ -54,7 +55,7 @@ void Registration::Impl::register_anew(std::vector<std::vector<std::uint32_t>>& 
             if (first_pass) {
                 constexpr double kWay = 2.0 * kOldKeysWay;
                 graph_.reach(k, reached, kWay);
-                older[k] = older_keys(graph_, about, reached, kWay, 2 * about.newest);
+                older[k] = older_keys(graph_, about, reached, kWay, 2 * about.newest).keys;
             }
             select_keys(graph_, about, older[k], keys);
             build_map(graph_, keys, pose, kMapHalf, map);
@@ -69,6 +70,7 @@ void Registration::Impl::register_anew(std::vector<std::vector<std::uint32_t>>& 
     });
     for (const std::vector<PoseEdge>& edges : found)
         graph_.edges.insert(graph_.edges.end(), edges.begin(), edges.end());
+    graph_.thin_resting();
     solve(graph_.poses, graph_.edges, solution(3, true));
 }
 

@@ -338,7 +338,7 @@ TEST(FoxgloveReceiver, LosesNothingThatCameInAHundredDisconnections) {
 /// What an earlier run received is gone only when something has come in its place.
 TEST(FoxgloveReceiver, ReplacesAFileByWhatComesAndByNothingElse) {
     std::atomic<bool> speaks{false};
-    const Server server({[&speaks](Server::Socket& stream) {
+    const Server server({[](Server::Socket& stream) {
                              stream.accept();
                              say(stream, kAdvertise);
                              hear(stream);

@@ -62,7 +62,7 @@ TEST(KeyGraph, NothingLeadsOverACutButALoop) {
     EXPECT_EQ(reach[1].way_m, GraphReach::kNever);
     std::vector<std::uint32_t> selected;
     const MapOfKeys all{12, graph.poses[11].pose, 30};
-    select_keys(graph, all, older_keys(graph, all, reach, 6.0, 60), selected);
+    select_keys(graph, all, older_keys(graph, all, reach, 6.0, 60).keys, selected);
     EXPECT_EQ(selected, (std::vector<std::uint32_t>{6, 7, 8, 9, 10, 11}));
 
     graph.join(3, 9);
@@ -79,7 +79,7 @@ TEST(KeyGraph, TheLocalMapHasTheNewestKeysAndTheNearestOfAnEarlierPassage) {
     std::vector<std::uint32_t> keys;
     const MapOfKeys map{40, graph.poses[39].pose, 8};
     for (const std::size_t most : {4U, 16U, 40U}) {
-        select_keys(graph, map, older_keys(graph, map, reach, 6.0, most), keys);
+        select_keys(graph, map, older_keys(graph, map, reach, 6.0, most).keys, keys);
         EXPECT_EQ(keys, (std::vector<std::uint32_t>{32, 33, 34, 35, 36, 37, 38, 39, 0, 1, 2, 3}));
     }
 }
@@ -91,7 +91,7 @@ TEST(KeyGraph, OfACrowdOfPassagesTheOldestAreTaken) {
             graph.poses[key].pose = {0.3 * (key % 10), 0.0, 0.0};
         const std::vector<GraphReach> reach(graph.size(), GraphReach{.way_m = 0.0});
         const MapOfKeys map{graph.size(), {1.5, 0.0, 0.0}, 10};
-        return older_keys(graph, map, reach, 6.0, 5);
+        return older_keys(graph, map, reach, 6.0, 5).keys;
     };
     EXPECT_EQ(passages(3), (std::vector<std::uint32_t>{5, 15, 6, 16, 4})) << "the nearest";
     EXPECT_EQ(passages(20), (std::vector<std::uint32_t>{4, 5, 6, 14, 15}));
