@@ -7,6 +7,7 @@
 #include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QMessageBox>
 #include <QProcess>
 #include <QScreen>
 #include <QScrollArea>
@@ -302,6 +303,48 @@ void FitTest::what_opens_is_no_larger_than_its_screen() {
     small.resize(100, 80);
     fit_to_screen(small);
     QCOMPARE(small.size(), QSize(100, 80));
+}
+
+/// Messages have paths and reasons, which are as long as they are.
+void FitTest::what_is_told_is_told_whole() {
+    Fixture f;
+    QtPrompts prompts;
+    const QString path =
+        "/home/somebody/measurements/recordings/"
+        "a-tour-with-a-name-that-says-all-of-it_2026-11-29_first-floor.mcap: ";
+    for (const int sentences : {1, 3, 8}) {
+        const QString text =
+            path + QString(
+                       "the odometry never moves although the scans do; expected a tour; look "
+                       "whether the topic is the right one. ")
+                       .repeated(sentences);
+        const auto whole = [sentences](QMessageBox& box) {
+            QApplication::processEvents();
+            if (const QString folder = qEnvironmentVariable("HITOS_PICTURES"); !folder.isEmpty())
+                box.grab().save(
+                    QString("%1/box-%2-%3.png").arg(folder).arg(sentences).arg(box.icon()));
+            for (const auto* label : box.findChildren<QLabel*>()) {
+                if (label->text().isEmpty()) continue;
+                const QString seen = QString("%1: %2 x %3")
+                                         .arg(label->text())
+                                         .arg(label->width())
+                                         .arg(label->height());
+                QVERIFY2(label->height() >= label->heightForWidth(label->width()),
+                         qPrintable(seen));
+                const QRect room(0, 0, label->width(), 10'000);
+                const QRect taken = label->fontMetrics().boundingRect(
+                    room, static_cast<int>(label->alignment()) | Qt::TextWordWrap, label->text());
+                QVERIFY2(taken.width() <= label->width() && taken.height() <= label->height(),
+                         qPrintable(seen));
+            }
+            box.reject();
+        };
+        in_dialog<QMessageBox>(whole);
+        prompts.warn(f.window.get(), "The log cannot be used", text);
+        in_dialog<QMessageBox>(whole);
+        prompts.confirm(f.window.get(), {"A tour", "End the tour here?", text, "End", true});
+        expect_no_awaited_dialog();
+    }
 }
 
 void FitTest::at_scale_two_it_fits_too() {

@@ -187,6 +187,7 @@ QString QtPrompts::choose_folder(QWidget* parent, const QString& title, const QS
 bool QtPrompts::confirm(QWidget* parent, const Question& question) {
     QMessageBox box(QMessageBox::Question, question.title, question.text, QMessageBox::Cancel,
                     parent);
+    box.setTextFormat(Qt::PlainText);
     box.setInformativeText(question.details);
     QPushButton* accept = box.addButton(question.accept, QMessageBox::AcceptRole);
     box.setDefaultButton(
@@ -218,7 +219,9 @@ std::optional<QString> QtPrompts::text(QWidget* parent, const QString& title, co
 }
 
 void QtPrompts::warn(QWidget* parent, const QString& title, const QString& text) {
-    QMessageBox::warning(parent, title, text);
+    QMessageBox box(QMessageBox::Warning, title, text, QMessageBox::Ok, parent);
+    box.setTextFormat(Qt::PlainText);  // what a file is called is no markup
+    box.exec();
 }
 
 bool may_overwrite(Prompts& prompts, QWidget* parent, const QString& path) {

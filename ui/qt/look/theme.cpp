@@ -157,7 +157,7 @@ QStatusBar::item { border: none; }
 QLineEdit[state="wrong"]:enabled, QComboBox[state="wrong"]:enabled,
 QAbstractSpinBox[state="wrong"]:enabled {
   border: 1px solid %danger; border-radius: 3px; }
-QMessageBox QLabel#qt_msgbox_label, QInputDialog QLabel { min-width: 280px; }
+QMessageBox QLabel#qt_msgbox_informativelabel, QInputDialog QLabel { min-width: 280px; }
 QDockWidget::title { padding: 6px 8px; text-align: left; font-weight: 600; }
 )");
     sheet.replace("%window", c.window.name());
