@@ -72,7 +72,7 @@ void Procesador::restart() {
     last_odometry_.reset();
     track_.reset();
     sweeps_ = {};
-    returns_ = {};
+    scan_returns_ = odometry_returns_ = {};
     clock_ = ScanClock(options_.scan_clock);
     axes_ = OdometryAxes(options_.odometry_axes);
     steps_ = {};
@@ -127,7 +127,7 @@ std::optional<Scan> Procesador::next_scan() {
                 ++report_.duplicate_scans;
                 continue;
             }
-            if (last_scan_) returns_.note(last_scan_->time_s, scan->time_s);
+            scan_returns_.note(scan->time_s);
             last_scan_ = *scan;
             const double late_s = options_.scan_delay_s + clock_.added(scan->time_s);
             if (late_s != 0.0) {
@@ -152,11 +152,15 @@ std::optional<Scan> Procesador::next_scan() {
     }
 }
 
-void Procesador::Returns::note(double before_s, double now_s) {
+void Procesador::Returns::note(double time_s) {
     constexpr double kLate = 2.0;  // [s]: less is out of order
-    if (before_s - now_s <= std::max(kLate, most_s)) return;
-    most_s = before_s - now_s;
-    at_s = before_s;
+    const double back_s = stamps++ > 0 ? last_s - time_s : 0.0;
+    if (back_s > kLate) ++count;
+    if (back_s > std::max(kLate, most_s)) {
+        most_s = back_s;
+        at_s = last_s;
+    }
+    last_s = time_s;
 }
 
 void Procesador::mend(Scan& scan) {
@@ -188,6 +192,21 @@ void Procesador::mend(Scan& scan) {
     unwarp(scan, *track_);
 }
 
+void Procesador::tell_return(const Returns& returns, std::vector<TourFinding>& found) const {
+    if (!returns.rare()) return;
+    found.push_back(
+        {TourFinding::Kind::clock_back,
+         returns.most_s,
+         message(HITOS_TEXT("Errors",
+                            "the clock goes back, at %1 s by %2 s: a recording that was played "
+                            "again, or a clock that was set; scans behind that are taken to be of "
+                            "times that were, and lie anywhere"),
+                 fmt::format("{:.1f}", returns.at_s), fmt::format("{:.1f}", returns.most_s)),
+         {{marked(HITOS_TEXT("Errors",
+                             "record or play the tour once; of a log that goes back, make a log of "
+                             "each part, and go on with the map of the first"))}}});
+}
+
 std::vector<TourFinding> Procesador::findings() const {
     std::vector<TourFinding> found;
     try {
@@ -206,19 +225,8 @@ std::vector<TourFinding> Procesador::findings() const {
                                  "let the driver say how long it takes from one ray to the next "
                                  "(time_increment)"))}}});
     }
-    if (returns_.most_s > 0.0) {
-        found.push_back(
-            {TourFinding::Kind::clock_back,
-             returns_.most_s,
-             message(HITOS_TEXT("Errors",
-                                "the clock goes back, at %1 s by %2 s: a recording that was played "
-                                "again, or a clock that was set; scans behind that are taken to be "
-                                "of times that were, and lie anywhere"),
-                     fmt::format("{:.1f}", returns_.at_s), fmt::format("{:.1f}", returns_.most_s)),
-             {{marked(HITOS_TEXT("Errors",
-                                 "record or play the tour once; of a log that goes back, make a "
-                                 "log of each part, and go on with the map of the first"))}}});
-    }
+    const bool scans = scan_returns_.rare() && scan_returns_.most_s > odometry_returns_.most_s;
+    tell_return(scans ? scan_returns_ : odometry_returns_, found);
     steps_.tell(found, options_);
     const auto still = [&](OdometryFrom asked, Message what, Remedy remedy) {
         if (options_.odometry != asked || report_.odometry < 2) return;
@@ -289,7 +297,7 @@ std::optional<Odometria> Procesador::next_odometry() {
             const bool by_pose =
                 record->pose_odom_robot && options_.odometry != OdometryFrom::velocities;
             note_motion(*record);
-            if (last_odometry_) returns_.note(last_odometry_->time_s, record->time_s);
+            odometry_returns_.note(record->time_s);
             const std::optional<Odometria> reading =
                 by_pose ? from_pose(*record) : from_velocity(*record);
             if (reading) return reading;

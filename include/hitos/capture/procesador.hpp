@@ -69,10 +69,17 @@ class Procesador final : public TourReader {
     };
     /// Where the stamps of a sequence go back to times that were.
     struct Returns {
-        void note(double before_s, double now_s);
+        void note(double time_s);
+        /// Stamps of two clocks in turn go to and fro.
+        bool rare() const { return count > 0 && kOften * count < stamps; }
+        static constexpr std::uint64_t kOften = 10;
+        std::uint64_t stamps = 0;
+        std::uint64_t count = 0;
+        double last_s = 0.0;
         double most_s = 0.0;
         double at_s = 0.0;
     };
+    void tell_return(const Returns& returns, std::vector<TourFinding>& found) const;
     void mend(Scan& scan);
     void note_motion(const OdometryRecord& record);
     std::optional<Odometria> from_pose(const OdometryRecord& record);
@@ -94,7 +101,8 @@ class Procesador final : public TourReader {
     std::optional<OdometryRecord> last_odometry_;
     std::unique_ptr<OdometryTrack> track_;  ///< where scans are unwarped
     Sweeps sweeps_;
-    Returns returns_;
+    Returns scan_returns_;
+    Returns odometry_returns_;
     ScanClock clock_;
     OdometryAxes axes_;
     OdometrySteps steps_;

@@ -6,7 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "test_files.hpp"
 
@@ -25,6 +27,13 @@ std::string reading(double time, const Pose& pose) {
 
 Pose end_of(const std::string& text) {
     return test::summed(read_text("radish", text).odometry).back();
+}
+
+/// That the clock goes back is not of the steps.
+std::ptrdiff_t of_steps(const Log& log) {
+    return std::ranges::count_if(log.findings, [](const TourFinding& finding) {
+        return finding.kind != TourFinding::Kind::clock_back;
+    });
 }
 
 /// Of a robot that drives at 0.5 m/s, 20 readings a second; from `begin` on the odometry hangs at
@@ -139,7 +148,7 @@ TEST(OdometrySteps, ALeapWhoseTimeDoesNotAdvanceIsBridged) {
         for (int i = 0; i < 20; ++i) text += reading(0.1 * i, {20 + 0.1 * i, 0, 0});
         for (int i = 0; i < 20; ++i) text += reading(stamp + 0.1 * i, {0.1 * i, 0, 0});
         expect_near(end_of(text), {3.8, 0, 0}, 1e-6, std::to_string(stamp));
-        EXPECT_EQ(read_text("radish", text).findings.size(), 1U) << stamp;
+        EXPECT_EQ(of_steps(read_text("radish", text)), 1) << stamp;
     }
 }
 
@@ -165,7 +174,7 @@ TEST(OdometrySteps, StepsInNoTimeSayNothingOfTheSpeed) {
     for (int i = 20; i < 40; ++i)
         text += reading(i + (i >= 30 ? 4 : 0), {20 + 0.5 * i + (i >= 30 ? 1.5 : 0), 0, 0});
     EXPECT_NEAR(end_of(text).x, 0.5 * 39 + 1.5, 1e-6);
-    EXPECT_TRUE(read_text("radish", text).findings.empty());
+    EXPECT_EQ(of_steps(read_text("radish", text)), 0);
 }
 
 /// Of one robot a reading each 0.05 s, and of another, that far aside, one after each `every`.
