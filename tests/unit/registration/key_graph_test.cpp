@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
 namespace hitos {
 namespace {
 
@@ -95,6 +99,69 @@ TEST(KeyGraph, OfACrowdOfPassagesTheOldestAreTaken) {
     };
     EXPECT_EQ(passages(3), (std::vector<std::uint32_t>{5, 15, 6, 16, 4})) << "the nearest";
     EXPECT_EQ(passages(20), (std::vector<std::uint32_t>{4, 5, 6, 14, 15}));
+}
+
+/// Ten keys a passage, all the same way. From passage `crowd` on each key is in a crowd, and hangs
+/// on the first passage and on the key before it.
+KeyGraph passages_with_a_crowd(std::uint32_t count, std::uint32_t crowd) {
+    KeyGraph graph;
+    for (std::uint32_t key = 0; key < 10 * count; ++key) {
+        KeyScan scan;
+        scan.travelled_m = 0.5 * key;
+        scan.variance_m2 = 1e-4;
+        graph.add({{0.5 * (key % 10), 0.0, 0.0}, key}, scan, key >= 10 * crowd);
+        if (key > 0) graph.edges.push_back({key - 1, key, {}, {}, EdgeKind::odometry});
+        if (key < 10) continue;
+        for (std::uint32_t old = key % 10; old < std::min(key % 10 + 3, 10U); ++old)
+            graph.edges.push_back({old, key, {}, {}, EdgeKind::loop});
+        graph.join(key % 10, key);
+    }
+    return graph;
+}
+
+TEST(KeyGraph, WhoGoesTheSameWayAllDayHasNoMoreKeysToLookAt) {
+    const auto reached = [](std::uint32_t passages, std::uint32_t crowd) {
+        const KeyGraph graph = passages_with_a_crowd(passages, crowd);
+        std::vector<GraphReach> reach;
+        graph.reach(graph.size() - 1, reach);
+        return std::ranges::count_if(
+            reach, [](const GraphReach& one) { return one.way_m < GraphReach::kNever; });
+    };
+    EXPECT_EQ(reached(20, 20), 200);
+    const auto after_20 = reached(20, 3);
+    EXPECT_EQ(after_20, 31 + 41);  // before the crowd with its first key, and the last 20 m
+    EXPECT_EQ(reached(40, 3), after_20);
+    // Who rests still knows the way out.
+    const KeyGraph graph = passages_with_a_crowd(20, 3);
+    ASSERT_TRUE(graph.rests(75));
+    EXPECT_FALSE(graph.rests(30) || graph.rests(199));
+    std::vector<GraphReach> reach;
+    graph.reach(75, reach, 2.0);
+    EXPECT_NEAR(reach[5].way_m, 0.1, 1e-12);
+    EXPECT_EQ(reach[74].way_m, GraphReach::kNever);
+}
+
+TEST(KeyGraph, WhoRestsHangsOnKeysThatStay) {
+    KeyGraph graph = passages_with_a_crowd(20, 3);
+    graph.edges.push_back({74, 75, {}, {}, EdgeKind::by_hand});
+    const std::size_t before = graph.edges.size();
+    graph.thin_resting();
+    const auto has = [&](std::uint32_t from, std::uint32_t to, EdgeKind kind) {
+        return std::ranges::any_of(graph.edges, [&](const PoseEdge& edge) {
+            return edge.from == from && edge.to == to && edge.kind == kind;
+        });
+    };
+    EXPECT_LT(graph.edges.size(), before);
+    EXPECT_FALSE(has(74, 75, EdgeKind::odometry));
+    EXPECT_TRUE(has(74, 75, EdgeKind::by_hand));
+    EXPECT_TRUE(has(5, 75, EdgeKind::loop));
+    EXPECT_TRUE(has(77, 78, EdgeKind::odometry)) << "two edges leave it open";
+    EXPECT_TRUE(has(29, 30, EdgeKind::odometry) && has(198, 199, EdgeKind::odometry));
+    for (std::uint32_t key = 1; key < 200; ++key) {
+        EXPECT_TRUE(std::ranges::any_of(graph.edges, [key](const PoseEdge& edge) {
+            return edge.to == key;
+        })) << key;
+    }
 }
 
 TEST(KeyGraph, AKeyThatWouldMoveTheScanByMoreThanHalfAMetreMakesNoEdge) {
