@@ -3382,6 +3382,18 @@
         <source>is a world; a world is simulated, not followed</source>
         <translation>es un mundo; un mundo se simula, no se sigue</translation>
     </message>
+    <message>
+        <source>nothing has come yet</source>
+        <translation>todavía no ha llegado nada</translation>
+    </message>
+    <message>
+        <source>the clock goes back, at %1 s by %2 s: a recording that was played again, or a clock that was set; scans behind that are taken to be of times that were, and lie anywhere</source>
+        <translation>el reloj vuelve atrás, en el segundo %1 y %2 s: una grabación que se reprodujo otra vez, o un reloj que se puso en hora; los barridos que siguen se toman por de tiempos pasados, y quedan en cualquier parte</translation>
+    </message>
+    <message>
+        <source>record or play the tour once; of a log that goes back, make a log of each part, and go on with the map of the first</source>
+        <translation>grabe o reproduzca el recorrido una sola vez; de un registro que vuelve atrás, haga un registro de cada parte, y continúe con el mapa de la primera</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -5355,6 +5367,22 @@
         <source>Discard</source>
         <translation>Descartar</translation>
     </message>
+    <message>
+        <source>A tour that comes in</source>
+        <translation>Un recorrido que está llegando</translation>
+    </message>
+    <message>
+        <source>End the tour here?</source>
+        <translation>¿Terminar aquí el recorrido?</translation>
+    </message>
+    <message>
+        <source>What has come so far is in %1 and can be mapped again; what comes from now on is not mapped.</source>
+        <translation>Lo que ha llegado está en %1 y se puede volver a cartografiar; lo que llegue desde ahora no se cartografía.</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Terminar el recorrido</translation>
+    </message>
 </context>
 <context>
     <name>RunList</name>
@@ -6283,6 +6311,14 @@
     <message>
         <source>What was received is in %1</source>
         <translation>Lo recibido está en %1</translation>
+    </message>
+    <message>
+        <source>%1 is the log that this window runs. Name another file in which what is received is to be kept.</source>
+        <translation>%1 es el registro que ejecuta esta ventana. Indique otro archivo en el que guardar lo que se recibe.</translation>
+    </message>
+    <message>
+        <source>The run stands still; what comes in is kept, and mapped when it goes on.</source>
+        <translation>La ejecución está detenida; lo que llega se guarda, y se cartografía cuando continúe.</translation>
     </message>
 </context>
 <context>
