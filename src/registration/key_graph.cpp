@@ -30,10 +30,12 @@ void KeyGraph::add(const KeyPose& pose, KeyScan scan, bool in_crowd) {
 void KeyGraph::rest(std::size_t key) {
     if (joined_[key].empty()) return;
     rests_[key] = true;
+    ++rest_;
     for (const std::uint32_t other : joined_[key]) std::erase(joined_[other], key);
 }
 
 void KeyGraph::thin_resting() {
+    rest_ = 0;
     constexpr std::uint8_t kEnough = 3;  // edges, of which one alone may leave a direction open
     std::vector<std::uint8_t> held(size(), 0);
     for (const PoseEdge& edge : edges) {
@@ -58,6 +60,14 @@ void KeyGraph::cut(std::size_t begin) {
     for (const PoseEdge& edge : edges) {
         if (edge.from > 0 && across(edge.from, edge.to)) join(edge.from, edge.to);
     }
+}
+
+bool KeyGraph::thin_if_many_rest() {
+    constexpr std::size_t kMany = 1000;  // all edges are looked at for them
+    if (rest_ < kMany) return false;
+    const std::size_t before = edges.size();
+    thin_resting();
+    return edges.size() < before;
 }
 
 void KeyGraph::join(std::uint32_t a, std::uint32_t b) {

@@ -57,6 +57,8 @@ class KeyGraph {
     /// Of the edges to a key that rests, where there are enough from others, those from keys that
     /// rest go: it hangs on keys that stay, and costs a solution next to nothing.
     void thin_resting();
+    /// The same where many have come to rest since; whether any edge has gone.
+    bool thin_if_many_rest();
     /// Cuts the tour before a key: no edge but those by hand stays between the keys before it and
     /// the others, until one joins them.
     void cut(std::size_t begin);
@@ -89,6 +91,7 @@ class KeyGraph {
     std::vector<bool> in_crowd_;
     std::vector<bool> rests_;
     std::size_t awake_ = 0;  // the first key that may still come to rest
+    std::size_t rest_ = 0;   // how many have since edges were thinned
 };
 
 inline double distance_m(const Pose& a, const Pose& b) {

@@ -171,6 +171,10 @@ void Registration::Impl::add_key(std::uint64_t scan, const TourBegin* begin) {
     key.variance_m2 = variance_m2_ + kKeySlip * kKeySlip;
     key.variance_rad2 = variance_rad2_ + kKeySlipRad * kKeySlipRad;
     graph_.add({now_, scan}, std::move(key), in_crowd_ && begin == nullptr);
+    if (graph_.thin_if_many_rest()) {
+        told_.clear();
+        told_of_ = 0;
+    }
     const auto newest = static_cast<std::uint32_t>(graph_.size() - 1);
     if (begin != nullptr) {
         begin_second_tour(scan, *begin);

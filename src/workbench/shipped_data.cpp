@@ -10,6 +10,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "hitos/capture/live_source.hpp"
 #include "hitos/capture/tour_reader.hpp"
 
 namespace hitos {
@@ -93,6 +94,12 @@ std::filesystem::path find_world(const std::string& name) {
 std::string source_named(const std::string& name) {
     std::error_code ignored;
     if (std::filesystem::exists(name, ignored)) return name;
+    if (is_websocket_address(name)) {
+        throw FileError(name, HITOS_TEXT("Errors",
+                                         "is the address of a running robot, expected a log: "
+                                         "hitos-cli run --follow maps what the robot sends, and "
+                                         "keeps a log of it"));
+    }
     const bool bare = !name.empty() && name.find_first_of("./") == std::string::npos;
     if (!bare) return name;
     const std::vector<std::string> worlds = shipped_worlds();

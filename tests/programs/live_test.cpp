@@ -183,6 +183,8 @@ TEST_F(LiveRunTest, OfWhatCannotBeFollowedSaysSo) {
     EXPECT_THAT(refused("bigloop.toml --follow"), HasSubstr("a world is simulated"));
     EXPECT_THAT(refused("ws://127.0.0.1:1 --follow"), HasSubstr("cannot be connected to"));
     EXPECT_THAT(refused("wss://robot --follow"), HasSubstr("tunnel"));
+    for (const char* robot : {"ws://robot", "robot:8765"})
+        EXPECT_THAT(refused(robot), HasSubstr("run --follow maps what the robot sends"));
     EXPECT_THAT(refused(log_ + " --poses " + path("p.csv")), HasSubstr("--follow"));
     EXPECT_THAT(refused(whole_ + " --follow --config - < " + config_), HasSubstr("from a file"));
     const std::string before = content(whole_);

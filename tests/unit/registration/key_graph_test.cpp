@@ -145,6 +145,7 @@ TEST(KeyGraph, WhoRestsHangsOnKeysThatStay) {
     KeyGraph graph = passages_with_a_crowd(20, 3);
     graph.edges.push_back({74, 75, {}, {}, EdgeKind::by_hand});
     const std::size_t before = graph.edges.size();
+    EXPECT_FALSE(graph.thin_if_many_rest());
     graph.thin_resting();
     const auto has = [&](std::uint32_t from, std::uint32_t to, EdgeKind kind) {
         return std::ranges::any_of(graph.edges, [&](const PoseEdge& edge) {
@@ -162,6 +163,15 @@ TEST(KeyGraph, WhoRestsHangsOnKeysThatStay) {
             return edge.to == key;
         })) << key;
     }
+}
+
+TEST(KeyGraph, EdgesOfWhoRestsGoByTheThousand) {
+    KeyGraph graph = passages_with_a_crowd(120, 3);
+    EXPECT_TRUE(graph.thin_if_many_rest());
+    EXPECT_FALSE(graph.thin_if_many_rest());
+    KeyGraph at_once = passages_with_a_crowd(120, 3);
+    at_once.thin_resting();
+    EXPECT_EQ(graph.edges.size(), at_once.edges.size());
 }
 
 TEST(KeyGraph, AKeyThatWouldMoveTheScanByMoreThanHalfAMetreMakesNoEdge) {
