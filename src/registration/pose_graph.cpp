@@ -61,10 +61,8 @@ double greatest_move(std::span<const KeyPose> before, std::span<const KeyPose> a
 PoseGraphSolver::PoseGraphSolver(std::size_t keys, std::span<const PoseEdge> edges)
     : edges_(edges) {
     for (std::size_t i = 0; i < keys; ++i) equations_.add_variable(3);
-    const auto anchor = std::ranges::find(edges, EdgeKind::anchor, &PoseEdge::kind);
-    if (anchor == edges.end()) return;
-    drawing_ = equations_.add_variable(3);
-    origin_ = {anchor->z.x, anchor->z.y};
+    if (std::ranges::find(edges, EdgeKind::anchor, &PoseEdge::kind) != edges.end())
+        drawing_ = equations_.add_variable(3);
 }
 
 void PoseGraphSolver::sum(const std::vector<KeyPose>& keys, bool robust, std::size_t used) {
@@ -90,7 +88,16 @@ void PoseGraphSolver::sum(const std::vector<KeyPose>& keys, bool robust, std::si
     }
 }
 
-/// Coordinates of surveys are millions of metres, by which no turn of the drawing may move it.
+/// About the place in it that the first anchor sees. No turn may move that: coordinates of surveys
+/// are millions of metres, and a wall may be drawn by two places far from where it is seen.
+void PoseGraphSolver::lay_drawing(const std::vector<KeyPose>& keys) {
+    const auto anchor = std::ranges::find(edges_, EdgeKind::anchor, &PoseEdge::kind);
+    const Point2 seen = transform(keys[anchor->to].pose, anchor->at);
+    const Pose pose = laid_drawing(keys, edges_)->pose;
+    origin_ = transform(inverse(pose), seen);
+    laid_ = {seen.x, seen.y, pose.theta};
+}
+
 PoseEdge PoseGraphSolver::from_origin(const PoseEdge& anchor) const {
     PoseEdge edge = anchor;
     edge.z.x -= origin_.x;
@@ -122,7 +129,7 @@ double PoseGraphSolver::solve(std::vector<KeyPose>& keys, const GraphSolution& h
     if (keys.size() < 2 || edges_.empty()) return 0.0;
 
     const std::vector<KeyPose> before = keys;
-    if (drawing_) laid_ = compose(laid_drawing(keys, edges_)->pose, {origin_.x, origin_.y, 0.0});
+    if (drawing_) lay_drawing(keys);
     double greatest = 0.0;
     bool factored = true;
     for (int iteration = 0; iteration < how.iterations;) {

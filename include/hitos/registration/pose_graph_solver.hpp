@@ -63,6 +63,7 @@ class PoseGraphSolver {
   private:
     void sum(const std::vector<KeyPose>& keys, bool robust, std::size_t used);
     double greatest_step(std::size_t keys) const;
+    void lay_drawing(const std::vector<KeyPose>& keys);
     PoseEdge from_origin(const PoseEdge& anchor) const;
 
     std::span<const PoseEdge> edges_;

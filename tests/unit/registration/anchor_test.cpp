@@ -88,6 +88,12 @@ class BentCorridor : public testing::Test {
     }
     /// The niche at the beginning of the first corridor, the side that is looked at.
     GraphEdit niche_wall() const { return wall(0, {3.0, 1.5}, {3, 2}, {3, 1}); }
+    std::vector<GraphEdit> all_round() const {
+        const std::size_t corner = scan_at({38, 0});
+        const std::size_t end = truth_.size() - 3;
+        return {left_wall(0),       niche_wall(),   end_wall(corner),
+                right_wall(corner), last_wall(end), last_right_wall(end)};
+    }
     std::vector<GraphEdit> at_begin() const { return {left_wall(0), niche_wall()}; }
     std::size_t scan_at(const Point2& place) const {
         const auto nearest = std::ranges::min_element(truth_, {}, [&](const Pose& pose) {
@@ -113,18 +119,13 @@ class BentCorridor : public testing::Test {
         poses.erase(back, poses.end());
         return poses;
     }();
-    const Pose drawn_{691000.0, 5334000.0, 2.0};  // of the corridors' frame in the drawing's
+    Pose drawn_{691000.0, 5334000.0, 2.0};  // of the corridors' frame in the drawing's
 };
 
 TEST_F(BentCorridor, WallsOfADrawingStraightenIt) {
     const test::Driven bent = finished({});
     ASSERT_GT(error_of(bent), 2.0) << "the corridors are as long as the odometry says";
-    std::vector<GraphEdit> edits = at_begin();
-    edits.push_back(end_wall(scan_at({38, 0})));
-    edits.push_back(right_wall(scan_at({38, 0})));
-    edits.push_back(last_wall(truth_.size() - 3));
-    edits.push_back(last_right_wall(truth_.size() - 3));
-    const test::Driven straight = finished(edits);
+    const test::Driven straight = finished(all_round());
     EXPECT_LT(error_of(straight), 0.25);
     const RegistrationFigures figures = straight.registration.figures();
     ASSERT_EQ(figures.anchors.size(), 6U);
@@ -141,6 +142,36 @@ TEST_F(BentCorridor, WallsOfADrawingStraightenIt) {
     const Point2 corner = transform(laid, transform(drawn_, Point2{39, 1}));
     EXPECT_NEAR(corner.x, 39.0, 0.1);
     EXPECT_NEAR(corner.y, 1.0, 0.3);
+}
+
+TEST_F(BentCorridor, WhereTheDrawingHasItsOriginSaysNothing) {
+    drawn_ = {1.0, -2.0, 2.0};
+    const test::Driven near = finished(all_round());
+    const std::vector<Pose> path = near.registration.path();
+    const Pose laid_near = near.registration.drawing()->pose;
+    for (const Point2& shift : {Point2{5e5, 4.6e6}, Point2{-4.6e6, 1e7}}) {
+        drawn_ = {1.0 + shift.x, -2.0 + shift.y, 2.0};
+        const test::Driven far = finished(all_round());
+        EXPECT_LT(test::greatest_path_error(far.registration.path(), path), 1e-6) << shift.y;
+        const Pose laid = far.registration.drawing()->pose;
+        EXPECT_NEAR(laid.theta, laid_near.theta, 1e-8);  // coordinates have 2 nm
+        EXPECT_LT(distance(transform(laid, shift), {laid_near.x, laid_near.y}), 1e-6);
+    }
+}
+
+TEST_F(BentCorridor, WhichPlacesDrawAWallSaysNothing) {
+    std::vector<GraphEdit> edits = all_round();
+    const std::vector<Pose> path = finished(edits).registration.path();
+    for (const double longer : {1e3, 1e6}) {
+        for (GraphEdit& edit : edits) {
+            const Point2 way{edit.right.x - edit.left.x, edit.right.y - edit.left.y};
+            const double length = std::hypot(way.x, way.y);
+            edit.left.x -= longer * way.x / length;
+            edit.left.y -= longer * way.y / length;
+        }
+        EXPECT_LT(test::greatest_path_error(finished(edits).registration.path(), path), 1e-4)
+            << longer;
+    }
 }
 
 TEST_F(BentCorridor, PointsStraightenItToo) {
