@@ -20,7 +20,6 @@ constexpr std::array<std::string_view, 6> kWords{"refuse", "close", "fix", "slip
 constexpr double kMostScans = 1e15;
 constexpr double kFarthest = 1e6;         // [m]; no tour is longer
 constexpr double kFarthestDrawn = 1e8;    // [m]; no survey's coordinates are greater
-constexpr double kShortestWall = 0.1;     // [m]; of less nobody knows the direction
 constexpr std::size_t kMostEdits = 1000;  // each is compared with every other
 
 Message of_change(std::size_t number, const Message& why) {

@@ -17,6 +17,9 @@ namespace hitos {
 
 inline constexpr const char* kGraphEditsKey = "registration.edits";
 
+/// [m] Of less of a drawing's wall nobody knows the direction.
+inline constexpr double kShortestWall = 0.1;
+
 /// A scan of the tour, from 0, and its stamp where it was noted: a change belongs to one tour.
 struct EditedScan {
     std::uint64_t scan = 0;
