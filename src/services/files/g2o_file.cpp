@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <iterator>
 #include <span>
 #include <utility>
@@ -27,6 +26,7 @@ using VertexKind = PlanarVertex::Kind;
 using EdgeKind = PlanarEdge::Kind;
 
 constexpr std::string_view kFix = "FIX";
+constexpr double kGreatestInformation = 1e18;
 constexpr std::array<std::string_view, 4> kPoseColumns{"id", "x", "y", "theta"};
 constexpr std::array<std::string_view, 3> kPointColumns{"id", "x", "y"};
 constexpr std::array<std::string_view, 5> kLineColumns{"id", "theta", "rho", "p1", "p2"};
@@ -162,7 +162,6 @@ class G2oReader {
         }
         for (Eigen::Index row = 0; row < edge.size(); ++row) {
             for (Eigen::Index column = row; column < edge.size(); ++column, ++next) {
-                constexpr double kGreatestInformation = 1e18;
                 edge.information(row, column) = edge.information(column, row) =
                     input::finite_number(words[next], tag.columns[next], place(),
                                          kGreatestInformation);
@@ -283,40 +282,65 @@ class G2oReader {
     std::vector<std::array<Named, 2>> named_;  // by edges
 };
 
-void put(std::string& out, std::initializer_list<double> values) {
-    for (const double value : values) {
-        if (!std::isfinite(value)) {
-            throw Error(message(HITOS_TEXT(
-                "Errors", "the graph has a number that is not finite and cannot be written")));
-        }
-        fmt::format_to(std::back_inserter(out), " {}", without_sign_of_zero(value));
-    }
-}
+/// Writes what a G2oReader reads again.
+class G2oWriter {
+  public:
+    explicit G2oWriter(const PlanarGraph& graph) : graph_(graph) {}
 
-void put(std::string& out, const PlanarVertex& vertex) {
-    fmt::format_to(std::back_inserter(out), "{} {}", g2o_tag(vertex.kind), vertex.id);
-    put(out, {vertex.at(0), vertex.at(1)});
-    if (vertex.kind == VertexKind::pose) put(out, {vertex.at(2)});
-    if (vertex.kind == VertexKind::line) {
-        fmt::format_to(std::back_inserter(out), " {} {}", vertex.ends[0], vertex.ends[1]);
-    }
-    out += '\n';
-}
-
-void put(std::string& out, const PlanarGraph& graph, const PlanarEdge& edge) {
-    out += g2o_tag(edge.kind);
-    if (!edge.prior()) {
-        fmt::format_to(std::back_inserter(out), " {}", graph.vertices[edge.from].id);
-    }
-    fmt::format_to(std::back_inserter(out), " {}", graph.vertices[edge.to].id);
-    for (Eigen::Index i = 0; i < edge.size(); ++i) put(out, {edge.z(i)});
-    for (Eigen::Index row = 0; row < edge.size(); ++row) {
-        for (Eigen::Index column = row; column < edge.size(); ++column) {
-            put(out, {edge.information(row, column)});
+    std::string text() {
+        for (const PlanarVertex& vertex : graph_.vertices) put(vertex);
+        for (const PlanarVertex& vertex : graph_.vertices) {
+            if (vertex.fixed) put_words("{} {}\n", kFix, vertex.id);
         }
+        for (const PlanarEdge& edge : graph_.edges) put(edge);
+        return std::move(out_);
     }
-    out += '\n';
-}
+
+  private:
+    template <class... Args>
+    void put_words(fmt::format_string<Args...> words, Args&&... args) {
+        fmt::format_to(std::back_inserter(out_), words, std::forward<Args>(args)...);
+    }
+
+    /// Of the line that is being written.
+    void put(double value, double greatest = input::kGreatestNumber) {
+        if (!(std::abs(value) <= greatest)) {
+            throw Error(message(
+                HITOS_TEXT("Errors",
+                           "the graph cannot be written: \"%1\" would go on with %2, and "
+                           "numbers from -%3 to %3 are read; are its numbers metres and "
+                           "radians, and no edge false?"),
+                out_.substr(line_), fmt::format("{:g}", value), fmt::format("{:g}", greatest)));
+        }
+        put_words(" {}", without_sign_of_zero(value));
+    }
+
+    void put(const PlanarVertex& vertex) {
+        line_ = out_.size();
+        put_words("{} {}", g2o_tag(vertex.kind), vertex.id);
+        for (Eigen::Index i = 0; i < (vertex.kind == VertexKind::pose ? 3 : 2); ++i)
+            put(vertex.at(i));
+        if (vertex.kind == VertexKind::line) put_words(" {} {}", vertex.ends[0], vertex.ends[1]);
+        out_ += '\n';
+    }
+
+    void put(const PlanarEdge& edge) {
+        line_ = out_.size();
+        out_ += g2o_tag(edge.kind);
+        if (!edge.prior()) put_words(" {}", graph_.vertices[edge.from].id);
+        put_words(" {}", graph_.vertices[edge.to].id);
+        for (Eigen::Index i = 0; i < edge.size(); ++i) put(edge.z(i));
+        for (Eigen::Index row = 0; row < edge.size(); ++row) {
+            for (Eigen::Index column = row; column < edge.size(); ++column)
+                put(edge.information(row, column), kGreatestInformation);
+        }
+        out_ += '\n';
+    }
+
+    const PlanarGraph& graph_;
+    std::string out_;
+    std::size_t line_ = 0;  ///< where it begins
+};
 
 }  // namespace
 
@@ -337,13 +361,7 @@ G2oFile parse_g2o(std::string_view text, const std::string& name) {
 }
 
 std::string g2o_text(const PlanarGraph& graph) {
-    std::string out;
-    for (const PlanarVertex& vertex : graph.vertices) put(out, vertex);
-    for (const PlanarVertex& vertex : graph.vertices) {
-        if (vertex.fixed) fmt::format_to(std::back_inserter(out), "{} {}\n", kFix, vertex.id);
-    }
-    for (const PlanarEdge& edge : graph.edges) put(out, graph, edge);
-    return out;
+    return G2oWriter(graph).text();
 }
 
 }  // namespace hitos

@@ -35,7 +35,7 @@ G2oFile read_g2o(const std::filesystem::path& path);
 G2oFile parse_g2o(std::string_view text, const std::string& name);
 
 /// The text of a graph: vertices, those that are fixed, edges, each in their order. It reads back
-/// as the same to the last bit. Throws Error for a number that is not finite.
+/// as the same to the last bit. Throws Error for a number that would not be read.
 std::string g2o_text(const PlanarGraph& graph);
 
 }  // namespace hitos

@@ -153,10 +153,29 @@ TEST(G2oFile, TakesInformationThatIsSingular) {
     EXPECT_EQ(graph.edges.size(), 2U);
 }
 
-TEST(G2oFile, RefusesToWriteWhatIsNotFinite) {
-    PlanarGraph graph = parsed(kEveryTag).graph;
-    graph.vertices[1].at(1) = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THAT(message_of<Error>([&] { g2o_text(graph); }), HasSubstr("not finite"));
+TEST(G2oFile, RefusesToWriteWhatItWouldNotRead) {
+    const PlanarGraph graph = parsed(kEveryTag).graph;
+    const auto written = [&](auto change) {
+        PlanarGraph other = graph;
+        change(other);
+        return message_of<Error>([&] { g2o_text(other); });
+    };
+    for (const double y : {std::numeric_limits<double>::quiet_NaN(),
+                           -std::numeric_limits<double>::infinity(), 1.0001e12}) {
+        EXPECT_THAT(
+            written([&](PlanarGraph& other) { other.vertices[1].at(1) = y; }),
+            HasSubstr(
+                "the graph cannot be written: \"VERTEX_SE2 9223372036854775807 1\" would go on"))
+            << y;
+    }
+    EXPECT_THAT(written([](PlanarGraph& other) { other.edges[0].z(0) = 2e12; }),
+                HasSubstr("would go on with 2e+12, and numbers from -1e+12 to 1e+12 are read"));
+    EXPECT_THAT(written([](PlanarGraph& other) { other.edges[0].information(0, 0) = 2e18; }),
+                HasSubstr("from -1e+18 to 1e+18"));
+    PlanarGraph greatest = graph;
+    greatest.vertices[1].at(1) = 1e12;
+    greatest.edges[0].information(0, 0) = 1e18;
+    EXPECT_EQ(parsed(g2o_text(greatest)).graph.vertices[1].at(1), 1e12);
 }
 
 }  // namespace
