@@ -19,6 +19,7 @@
 #include "hitos/base/rounding.hpp"
 #include "map_shapes.hpp"
 #include "version.hpp"
+#include "written_cells.hpp"
 #include "xml_text.hpp"
 
 namespace hitos {
@@ -96,6 +97,7 @@ void put_geometric_map(std::string& out, const IeeeMapContent& content) {
 
 void put_grid_map(std::string& out, const Grid& grid) {
     if (grid.empty()) return;
+    check_written_cells(grid);
     out += "    <local_map id=\"occupancy\" type=\"grid\">\n";
     put_place(out);
     const Point2 origin = grid.origin();

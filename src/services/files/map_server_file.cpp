@@ -10,6 +10,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/rounding.hpp"
+#include "written_cells.hpp"
 
 namespace hitos {
 namespace {
@@ -40,6 +41,7 @@ std::string map_server_pgm(const Grid& grid) {
         throw Error(
             message(HITOS_TEXT("Errors", "the grid map is empty: there is nothing to draw")));
     }
+    check_written_cells(grid);
     std::string out = fmt::format("P5\n{} {}\n255\n", grid.columns(), grid.rows());
     out.reserve(out.size() +
                 static_cast<std::size_t>(grid.columns()) * static_cast<std::size_t>(grid.rows()));

@@ -344,10 +344,14 @@ float* Grid::cell_at(double u, double v) {
     return RayEraser::cells_of(tile) + row % kTileSide * kTileSide + column % kTileSide;
 }
 
+std::int64_t Grid::seen_cells() const {
+    std::size_t sum = 0;
+    for (const Tile& tile : tiles_) sum += tile.size();
+    return static_cast<std::int64_t>(sum);
+}
+
 std::size_t Grid::bytes() const {
-    std::size_t sum = tiles_.size() * sizeof(Tile);
-    for (const Tile& tile : tiles_) sum += tile.size() * sizeof(float);
-    return sum;
+    return tiles_.size() * sizeof(Tile) + static_cast<std::size_t>(seen_cells()) * sizeof(float);
 }
 
 void Grid::clear() {

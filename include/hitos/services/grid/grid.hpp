@@ -60,6 +60,8 @@ class Grid {
     void clear();
 
     bool empty() const { return columns_ == 0; }
+    /// Cells of the tiles that something was drawn into.
+    std::int64_t seen_cells() const;
     /// Memory that its cells take.
     std::size_t bytes() const;
     int columns() const { return columns_; }

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "files/ieee_map_file.hpp"
 #include "hitos/base/error.hpp"
 #include "support.hpp"
 
@@ -48,6 +49,25 @@ TEST(MapServerFile, WhatNoRayCameToIsUnknown) {
         "\xcd\xcd\xcd\xfe\xfe\xfe\x00",
         21);
     EXPECT_EQ(pixels, expected);
+}
+
+TEST(MapServerFile, AGridOfNothingBetweenTwoPlacesIsRefused) {
+    Grid grid = grid_with_a_point({0.05, 0.05, 0.0}, 20.0);
+    const auto goes_far = [&](double x, double y) {
+        Scan scan;
+        scan.points = {{20.0, 0.0}};
+        scan.run_starts = {0};
+        grid.add(scan, {x, y, kPi / 2.0});
+    };
+    goes_far(30.05, 30.05);
+    EXPECT_EQ(map_server_pgm(grid).substr(0, 11), "P5\n301 501\n");
+    goes_far(30'000.05, 30.05);
+    EXPECT_EQ(grid.columns(), 300'001);
+    EXPECT_LT(grid.seen_cells(), 100'000);
+    const std::string said = message_of<Error>([&] { map_server_pgm(grid); });
+    EXPECT_THAT(said, HasSubstr("300001 x 501 cells, 30000 m by 50 m"));
+    EXPECT_THAT(said, HasSubstr("grid.resolution"));
+    EXPECT_EQ(message_of<Error>([&] { ieee_map_xml({"", "", {}, {}, grid}); }), said);
 }
 
 TEST(MapServerFile, StatesAreThoseOfTheThresholdsItStates) {
