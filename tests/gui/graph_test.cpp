@@ -194,7 +194,80 @@ void GraphTest::changes_are_solved_at_once_undone_and_taken_back() {
     f.type("graph_close_at", "0.5, 0, 180");
     f.press("graph_close");
     QCOMPARE(f.graph()->edits().size(), 4U);
-    QCOMPARE(list.item(3)->text(), "Closed: 299 seen from 0");
+    const QString closed = list.item(3)->text();
+    QVERIFY2(closed.startsWith("4. Closed: 299 seen from 0 ("), qPrintable(closed));
+    QVERIFY2(closed.endsWith(" σ off)"), qPrintable(closed));
+    // What cannot be read looks wrong.
+    auto& line = f.part<QLineEdit>("graph_fix_at");
+    f.type("graph_fix_at", "1.5, -2");
+    QCOMPARE(line.property("state").toString(), "wrong");
+    f.type("graph_fix_at", "1.5, -2, 0");
+    QCOMPARE(line.property("state").toString(), "good");
+}
+
+void GraphTest::of_two_changes_of_the_same_poses_the_later_stands() {
+    Graphs f;
+    f.open(f.town_file());
+    const auto kind = [&] { return f.graph()->edits().back().kind; };
+    QVERIFY(!f.button("graph_refuse").isEnabled());
+    f.name_poses("150", "20");
+    f.press("graph_refuse");
+    QVERIFY(!f.button("graph_refuse").isEnabled());  // there is none any more
+    const QString line = f.part<QListWidget>("graph_edits").item(0)->text();
+    QVERIFY2(line.startsWith("1. Refused: the edges between 150 and 20 ("), qPrintable(line));
+    f.type("graph_close_at", "0.5, 0, 180");
+    f.press("graph_close");
+    QCOMPARE(f.graph()->edits().size(), 1U);
+    QCOMPARE(kind(), GraphEdit::Kind::close);
+    const QString words = f.part<QLabel>("graph_words").text();
+    QVERIFY2(words.endsWith("given up for it: Refused: the edges between 150 and 20."),
+             qPrintable(words));
+    f.press("graph_refuse");
+    QCOMPARE(f.graph()->edits().size(), 1U);
+    QCOMPARE(kind(), GraphEdit::Kind::refuse);
+    // What is there by hand alone goes with its change.
+    f.name_poses("200", "10");
+    QVERIFY(!f.button("graph_refuse").isEnabled());
+    f.press("graph_close");
+    QCOMPARE(f.graph()->edits().size(), 2U);
+    f.press("graph_refuse");
+    QCOMPARE(f.graph()->edits().size(), 1U);
+    QCOMPARE(f.prompts.warnings, QStringList());
+}
+
+void GraphTest::a_graph_that_fits_has_nothing_marked() {
+    Graphs f;
+    QByteArray text;
+    for (int i = 0; i < 12; ++i) text += QString("VERTEX_SE2 %1 %1 0 0\n").arg(i).toUtf8();
+    for (int i = 0; i < 11; ++i)
+        text += QString("EDGE_SE2 %1 %2 1 0 0 1 0 0 1 0 1\n").arg(i).arg(i + 1).toUtf8();
+    f.open(f.write("fits.g2o", text));
+    QCOMPARE(f.rows().size(), 10U);
+    const QImage picture = f.graph()->view().grab().toImage();
+    const QColor path = picture.pixelColor(pixel_in(f.graph()->view(), {3.5, 0.0}));
+    QVERIFY2(path.blue() > path.red() + 50, qPrintable(path.name()));  // is drawn, and not red
+    f.part<QSpinBox>("graph_worst").setValue(0);
+    QTRY_VERIFY(f.rests() && f.rows().empty());
+    QCOMPARE(f.graph()->view().grab().toImage(), picture);
+}
+
+void GraphTest::ids_of_many_digits_leave_room_for_errors() {
+    Graphs f;
+    f.open(f.write("long.g2o",
+                   "VERTEX_SE2 1234567890 0 0 0\nVERTEX_SE2 1234567891 0 9 0\n"
+                   "EDGE_SE2 1234567890 1234567891 0 9 0 1 0 0 1 0 1\n"
+                   "EDGE_SE2 1234567890 1234567891 0 9.5 0 1 0 0 1 0 1\n"));
+    f.graph()->resize(1180, 700);
+    const FiguresTable& table = f.graph()->table();
+    QTRY_VERIFY(table.columnViewportPosition(GraphModel::error) +
+                    table.columnWidth(GraphModel::error) <=
+                table.viewport()->width());
+    // Nothing lies below the legend.
+    const GraphView& view = f.graph()->view();
+    for (const std::uint32_t vertex : {0U, 1U}) {
+        const Point2 place = view.place_of(vertex);
+        QVERIFY(pixel_in(view, {place.x, place.y}).y() > 2 * view.fontMetrics().height());
+    }
 }
 
 void GraphTest::the_window_writes_what_the_command_writes_data() {
@@ -262,11 +335,11 @@ void GraphTest::what_is_no_graph_is_told_and_nothing_is_lost() {
         QCOMPARE(f.graph()->shown()->edits.size(), 1U);
     };
     f.prompts.warnings.clear();
-    f.name_poses("10", "200");
-    f.button("graph_refuse").click();
+    f.prompts.opens = {f.write("none.txt", "refuse 10 200\n")};
+    f.button("graph_open_edits").click();
     refused("the graph has no edge between the poses 10 and 200");
-    f.name_poses("20", "150");
-    f.button("graph_close").click();
+    f.prompts.opens = {f.write("twice.txt", "refuse 150 20\nclose 20 150 0 0 0\n")};
+    f.button("graph_open_edits").click();
     refused("is of the same poses as change 1");
     f.prompts.opens = {f.write("edits.txt", "slip 3\nmove 7\n")};
     f.button("graph_open_edits").click();

@@ -357,6 +357,9 @@ class GraphTest : public QObject {
   private slots:
     void a_graph_is_shown_with_its_worst_edges();
     void changes_are_solved_at_once_undone_and_taken_back();
+    void of_two_changes_of_the_same_poses_the_later_stands();
+    void a_graph_that_fits_has_nothing_marked();
+    void ids_of_many_digits_leave_room_for_errors();
     void the_window_writes_what_the_command_writes_data();
     void the_window_writes_what_the_command_writes();
     void what_is_no_graph_is_told_and_nothing_is_lost();

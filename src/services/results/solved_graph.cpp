@@ -32,6 +32,14 @@ SolvedGraph solved_graph(PlanarGraph graph, const PlacedEdits& edits, const Grap
     return solved;
 }
 
+std::span<const std::size_t> marked_edges(const SolvedGraph& solved) {
+    constexpr double kLeast = 1.0;
+    const auto end = std::ranges::find_if(solved.worst, [&](std::size_t i) {
+        return mahalanobis_squared(solved.graph, solved.graph.edges[i]) < kLeast;
+    });
+    return {solved.worst.begin(), end};
+}
+
 GraphFolder::GraphFolder(std::filesystem::path folder,
                          std::span<const std::filesystem::path> inputs)
     : folder_(std::move(folder)) {
@@ -63,14 +71,15 @@ std::optional<std::string> GraphFolder::held() const {
 void GraphFolder::write(const std::string& name, const SolvedGraph& solved,
                         std::span<const GraphEdit> edits) const {
     constexpr double kPixelsPerMm = 10.0;
-    const VectorDrawing figure = graph_figure(name, solved.graph, solved.worst);
+    const std::string graph = g2o_text(solved.graph);  // which may not be written
+    const VectorDrawing figure = graph_figure(name, solved.graph, marked_edges(solved));
     StagedFiles staged(files_);
     staged.write([&] {
         write_file(staged.staged(files_[0]), svg_text(figure));
         write_file(staged.staged(files_[1]), png_text(figure, kPixelsPerMm));
         write_file(staged.staged(files_[2]), fmt::format("# Changes by hand of {}\n{}",
                                                          on_one_line(name), vertex_text_of(edits)));
-        write_file(staged.staged(files_[3]), g2o_text(solved.graph));
+        write_file(staged.staged(files_[3]), graph);
     });
     staged.commit();
 }

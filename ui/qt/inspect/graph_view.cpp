@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "graph_view.hpp"
 
-#include <QFontMetricsF>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,33 +11,13 @@
 namespace hitos::window {
 namespace {
 
-using Segments = std::vector<GraphShape::Segment>;
+using Segments = std::span<const GraphShape::Segment>;
 
-/// Those in sight that can be seen. Very many are drawn thin and rough, as pens of one pixel are
-/// without smoothing: the window must not wait for them.
-void draw_segments(QPainter& painter, const Scene& scene, const Segments& segments,
-                   const QColor& colour, double width = 1.0) {
-    constexpr qsizetype kMostSmooth = 2000;
-    constexpr double kLeastPixels = 0.5;
-    const QRectF sight(QPointF(), scene.size);
-    QVector<QLineF> lines;
-    for (const auto& [from, to] : segments) {
-        const QLineF line = scene.to_screen.map(QLineF(point_of(from), point_of(to)));
-        const double left = std::min(line.x1(), line.x2());
-        const double right = std::max(line.x1(), line.x2());
-        const double top = std::min(line.y1(), line.y2());
-        const double bottom = std::max(line.y1(), line.y2());
-        if (right < sight.left() || left > sight.right() || bottom < sight.top() ||
-            top > sight.bottom() || std::max(right - left, bottom - top) < kLeastPixels) {
-            continue;
-        }
-        lines.append(line);
-    }
-    const bool smooth = lines.size() <= kMostSmooth;
-    painter.setRenderHint(QPainter::Antialiasing, smooth);
-    painter.setPen(thin_pen(colour, smooth ? width : 1.0));
-    painter.drawLines(lines);
-    painter.setRenderHint(QPainter::Antialiasing);
+void draw_segments(QPainter& painter, const Scene& scene, Segments segments, const QColor& colour,
+                   double width = 1.0) {
+    SeenLines lines(scene);
+    for (const auto& [from, to] : segments) lines.add(QLineF(point_of(from), point_of(to)));
+    lines.draw(painter, colour, width);
 }
 
 void draw_ends(QPainter& painter, const Scene& scene, const GraphShape::Segment& segment,
@@ -66,6 +45,7 @@ GraphView::GraphView(QWidget* parent) : CanvasView(parent) {
 
 void GraphView::set_graph(std::shared_ptr<const ShownGraph> graph) {
     graph_ = std::move(graph);
+    marked_ = marked_edges(graph_->solved).size();
     content_changed(std::nullopt);
 }
 
@@ -94,7 +74,16 @@ QRectF GraphView::content() const {
     const QRectF box(point_of(bounds.low), point_of(bounds.high));
     const double more_x = std::max(0.0, kLeast - box.width()) / 2.0;
     const double more_y = std::max(0.0, kLeast - box.height()) / 2.0;
-    return box.adjusted(-more_x, -more_y, more_x, more_y);
+    return with_legend(box.adjusted(-more_x, -more_y, more_x, more_y));
+}
+
+/// Content that, fitted, leaves the strip above it free.
+QRectF GraphView::with_legend(const QRectF& box) const {
+    constexpr double kOther = 60.0;  // pixels of the height: the scale bar and margins
+    const double strip = legend(colours(), width()).height();
+    const double below = std::max(height() - strip - kOther, height() / 2.0);
+    const double pixels_per_m = std::min(width() / box.width(), below / box.height());
+    return box.adjusted(0.0, 0.0, 0.0, strip / pixels_per_m);  // y is up
 }
 
 void GraphView::paint_scene(QPainter& painter, const Scene& scene) const {
@@ -109,11 +98,11 @@ void GraphView::paint_scene(QPainter& painter, const Scene& scene) const {
     draw_segments(painter, scene, shown.priors, c.association, 1.4);
     draw_points(painter, scene, shown.points, thin_pen(Qt::white), c.observed, 3.0);
     draw_points(painter, scene, shown.fixed, thin_pen(c.text, 1.6), c.canvas, 4.0);
-    draw_segments(painter, scene, shown.marked, c.danger, 2.0);
-    for (const GraphShape::Segment& edge : shown.marked) draw_ends(painter, scene, edge, c.danger);
+    draw_segments(painter, scene, marked(), c.danger, 2.0);
+    for (const GraphShape::Segment& edge : marked()) draw_ends(painter, scene, edge, c.danger);
     paint_chosen(painter, scene);
     if (scene.scale_bar) draw_scale_bar(painter, scene);
-    if (scene.chrome) paint_legend(painter, scene);
+    if (scene.chrome) legend(c, scene.size.width()).paint(painter, scene);
 }
 
 void GraphView::paint_chosen(QPainter& painter, const Scene& scene) const {
@@ -125,7 +114,7 @@ void GraphView::paint_chosen(QPainter& painter, const Scene& scene) const {
             place != graph_->solved.worst.end()
                 ? shape().marked[static_cast<std::size_t>(place - graph_->solved.worst.begin())]
                 : GraphShape::Segment{place_of(edge.from), place_of(edge.to)};
-        draw_segments(painter, scene, {segment}, colour, 3.0);
+        draw_segments(painter, scene, {&segment, 1}, colour, 3.0);
         draw_ends(painter, scene, segment, colour);
     }
     for (const auto& [vertex, name] : chosen_.poses) {
@@ -136,12 +125,11 @@ void GraphView::paint_chosen(QPainter& painter, const Scene& scene) const {
 }
 
 /// Of what there is.
-void GraphView::paint_legend(QPainter& painter, const Scene& scene) const {
+LegendStrip GraphView::legend(const Colours& c, double width) const {
     const GraphShape& shown = shape();
-    const Colours& c = scene.colours;
-    std::vector<std::pair<QString, QColor>> rows;
+    std::vector<LegendStrip::Entry> entries;
     const auto add = [&](bool there, const QString& words, const QColor& colour) {
-        if (there) rows.emplace_back(words, colour);
+        if (there) entries.push_back({words, colour});
     };
     add(!shown.path.empty(), tr("path, by the poses' ids"), c.landmark);
     add(!shown.loops.empty(), tr("other edges between poses"), c.ignored);
@@ -149,20 +137,8 @@ void GraphView::paint_legend(QPainter& painter, const Scene& scene) const {
     add(!shown.points.empty() || !shown.lines.empty(), tr("landmarks"), c.observed);
     add(!shown.priors.empty(), tr("known places"), c.association);
     add(!shown.fixed.empty(), tr("fixed"), c.text);
-    add(!shown.marked.empty(), tr("greatest errors"), c.danger);
-    const QString gap("       ");
-    QStringList words;
-    for (const auto& row : rows) words << gap + row.first;
-    const QPointF corner(8.0, 8.0);
-    draw_chip(painter, scene, corner, words);
-    const QFontMetricsF metrics(painter.font());
-    QPointF at = corner + QPointF(8.0, 5.0 + metrics.height() / 2.0);
-    const QPointF across(metrics.horizontalAdvance(gap) - 6.0, 0.0);
-    for (const auto& row : rows) {
-        painter.setPen(thin_pen(row.second, 2.5));
-        painter.drawLine(at, at + across);
-        at.ry() += metrics.height();
-    }
+    add(!marked().empty(), tr("greatest errors"), c.danger);
+    return {std::move(entries), font(), width};
 }
 
 /// On a pose, else on an edge between a pose and what it sees, else near a pose.

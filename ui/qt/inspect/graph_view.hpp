@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "legend_strip.hpp"
 #include "views/canvas_view.hpp"
 #include "workers/graph_solver.hpp"
 
@@ -53,9 +54,15 @@ class GraphView final : public CanvasView {
     const GraphShape& shape() const { return before_ ? graph_->before : graph_->after; }
     std::span<const PlanarVertex> vertices() const;
     void paint_chosen(QPainter& painter, const Scene& scene) const;
-    void paint_legend(QPainter& painter, const Scene& scene) const;
+    LegendStrip legend(const Colours& c, double width) const;
+    QRectF with_legend(const QRectF& box) const;
+    /// As they stand in the table, the first of them.
+    std::span<const GraphShape::Segment> marked() const {
+        return std::span(shape().marked).first(marked_);
+    }
 
     std::shared_ptr<const ShownGraph> graph_;
+    std::size_t marked_ = 0;  ///< how many are off enough
     bool before_ = false;
     Chosen chosen_;
 };

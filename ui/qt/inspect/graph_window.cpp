@@ -4,12 +4,13 @@
 #include <QCheckBox>
 #include <QDir>
 #include <QFileInfo>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QRegularExpressionValidator>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -19,8 +20,10 @@
 #include <initializer_list>
 #include <utility>
 
+#include "graph_changes.hpp"
 #include "graph_model.hpp"
 #include "graph_view.hpp"
+#include "graph_words.hpp"
 #include "hitos/base/text_input.hpp"
 #include "look/flow_layout.hpp"
 #include "look/screen_fit.hpp"
@@ -33,26 +36,6 @@ namespace {
 
 constexpr QSize kGraphSize(1180, 700);
 
-QString edit_words(const GraphEdit& edit) {
-    const QString a = QString::number(edit.scan.scan);
-    const QString b = QString::number(edit.earlier.scan);
-    switch (edit.kind) {
-        case GraphEdit::Kind::refuse:
-            return GraphWindow::tr("Refused: the edges between %1 and %2").arg(a, b);
-        case GraphEdit::Kind::close:
-            return GraphWindow::tr("Closed: %1 seen from %2").arg(a, b);
-        case GraphEdit::Kind::fix:
-            return GraphWindow::tr("Fixed: %1").arg(a);
-        default:
-            return GraphWindow::tr("Slipped: the step to %1").arg(a);
-    }
-}
-
-/// As a file of them would be read, which says what is wrong.
-PlacedEdits placed(const std::vector<GraphEdit>& edits) {
-    return parse_vertex_edits(vertex_text_of(edits), {});
-}
-
 /// The same edge in a graph with other changes.
 std::optional<std::size_t> same_edge_in(const PlanarGraph& graph, const PlanarEdge& edge) {
     const auto found = std::ranges::find_if(graph.edges, [&](const PlanarEdge& one) {
@@ -61,6 +44,14 @@ std::optional<std::size_t> same_edge_in(const PlanarGraph& graph, const PlanarEd
     });
     if (found == graph.edges.end()) return std::nullopt;
     return static_cast<std::size_t>(found - graph.edges.begin());
+}
+
+/// Whether there is something between the two that could be refused.
+bool joined(const PlanarGraph& graph, std::uint32_t a, std::uint32_t b) {
+    return std::ranges::any_of(graph.edges, [&](const PlanarEdge& edge) {
+        return edge.kind == PlanarEdge::Kind::step &&
+               std::minmax(edge.from, edge.to) == std::minmax(a, b);
+    });
 }
 
 }  // namespace
@@ -130,11 +121,11 @@ QWidget* GraphWindow::made_tools() {
     row->addWidget(undo_ = made_button(bar, "graph_undo", tr("Undo"),
                                        tr("The last change (Ctrl+Z)"), nullptr));
     undo_->setShortcut(QKeySequence::Undo);
-    connect(undo_, &QPushButton::clicked, this, [this] { go(now_ - 1); });
+    connect(undo_, &QPushButton::clicked, this, [this] { changes_->undo(); });
     row->addWidget(redo_ = made_button(bar, "graph_redo", tr("Redo"),
                                        tr("The change that was undone (Ctrl+Shift+Z)"), nullptr));
     redo_->setShortcut(QKeySequence::Redo);
-    connect(redo_, &QPushButton::clicked, this, [this] { go(now_ + 1); });
+    connect(redo_, &QPushButton::clicked, this, [this] { changes_->redo(); });
     row->addWidget(open_edits_ = made_button(
                        bar, "graph_open_edits", tr("Open changes…"),
                        tr("Changes by hand from a file, in the place of those that are made"),
@@ -207,15 +198,9 @@ void GraphWindow::add_changes(QVBoxLayout& column, QWidget* parent) {
     for (QLineEdit* line : {close_at_, fix_at_}) {
         connect(line, &QLineEdit::textChanged, this, &GraphWindow::show_state);
     }
-    list_ = new QListWidget(parent);
-    list_->setObjectName("graph_edits");
-    list_->setAccessibleName(tr("Changes by hand"));
-    list_->setFixedHeight(4 * fontMetrics().height());
-    connect(list_, &QListWidget::currentRowChanged, this, &GraphWindow::show_state);
-    column.addWidget(list_);
-    take_back_ = made_button(parent, "graph_take_back", tr("Take back the change"), {},
-                             &GraphWindow::take_back);
-    add_row({take_back_});
+    changes_ = new GraphChanges(parent);
+    connect(changes_, &GraphChanges::changed, this, &GraphWindow::solve);
+    column.addWidget(changes_);
 }
 
 QPushButton* GraphWindow::made_button(QWidget* parent, const char* name, const QString& words,
@@ -250,6 +235,7 @@ void GraphWindow::take_graph() {
         files_.note_opened("graph", solver_->path());
         model_->set_graph(*graph);
         view_->set_graph(graph);
+        make_room_for_table();
         solve();
         return;
     }
@@ -257,7 +243,15 @@ void GraphWindow::take_graph() {
     model_->set_graph(*graph);
     view_->choose({});  // of the graph before
     view_->set_graph(graph);
+    changes_->show_errors(*graph);
     show_chosen();
+}
+
+/// Ids may have many digits: all columns, up to half of the window.
+void GraphWindow::make_room_for_table() {
+    const int columns = table_->horizontalHeader()->length();
+    const int around = table_->verticalScrollBar()->sizeHint().width() + 2 * table_->frameWidth();
+    table_->setMinimumWidth(std::min(columns + around, width() / 2));
 }
 
 void GraphWindow::tell_not_read(const QString& problem) {
@@ -270,12 +264,12 @@ void GraphWindow::tell_not_read(const QString& problem) {
 void GraphWindow::tell_not_solved(const QString& problem) {
     const auto graph = shown();
     const bool at_first = graph->stage == ShownGraph::Stage::read;
-    prompts_.warn(
-        this,
-        at_first && now_ == 0 ? tr("The graph was not solved") : tr("The change was not made"),
-        problem);
-    if (now_ > 0 && edits() != graph->edits) {
-        history_.resize(now_--);
+    prompts_.warn(this,
+                  at_first && !changes_->can_undo() ? tr("The graph was not solved")
+                                                    : tr("The change was not made"),
+                  problem);
+    if (changes_->can_undo() && edits() != graph->edits) {
+        changes_->forget_last();
         const GraphChoices wanted{robust_->isChecked(), static_cast<std::size_t>(worst_->value())};
         if (edits() != graph->edits || wanted != graph->choices) solve();
     } else if (!at_first) {
@@ -293,34 +287,39 @@ void GraphWindow::solve() {
     show_state();
 }
 
-void GraphWindow::change(std::vector<GraphEdit> edits) {
-    if (!shown()) return;
+bool GraphWindow::change(std::vector<GraphEdit> edits) {
+    if (!shown()) return false;
     try {
         placed(edits);
     } catch (const FormatError& error) {
         prompts_.warn(this, tr("The change was not made"), words_of(error.problem()));
-        return;
+        return false;
     }
-    history_.resize(now_ + 1);
-    history_.push_back(std::move(edits));
-    ++now_;
-    solve();
+    changes_->replace(std::move(edits));
+    return true;
 }
 
 void GraphWindow::add(GraphEdit edit) {
-    std::vector<GraphEdit> next = edits();
-    next.push_back(std::move(edit));
-    change(std::move(next));
-}
-
-void GraphWindow::go(std::size_t place) {
-    if (place >= history_.size()) return;  // before the first, too
-    now_ = place;
-    solve();
+    GraphChanges::With with = changes_->with(std::move(edit));
+    if (!change(std::move(with.edits))) return;
+    told_ = with.replaced;
+    show_state();
 }
 
 void GraphWindow::refuse() {
-    add({GraphEdit::Kind::refuse, {a_->text().toULongLong()}, {b_->text().toULongLong()}});
+    GraphEdit refusal{
+        GraphEdit::Kind::refuse, {a_->text().toULongLong()}, {b_->text().toULongLong()}};
+    // What there is by hand alone goes with the change that made it.
+    const auto a = pose_in(*a_);
+    const auto b = pose_in(*b_);
+    if (!a || !b) return;
+    if (joined(shown()->file->graph, *a, *b)) {
+        add(std::move(refusal));
+        return;
+    }
+    std::vector<GraphEdit> rest = changes_->with(std::move(refusal)).edits;
+    rest.pop_back();
+    change(std::move(rest));
 }
 
 void GraphWindow::close_loop() {
@@ -336,14 +335,6 @@ void GraphWindow::slip() {
 void GraphWindow::fix() {
     const auto pose = pose_of(*fix_at_);
     if (pose) add({GraphEdit::Kind::fix, {a_->text().toULongLong()}, {}, *pose});
-}
-
-void GraphWindow::take_back() {
-    std::vector<GraphEdit> next = edits();
-    const int chosen = list_->currentRow();
-    if (chosen < 0 || static_cast<std::size_t>(chosen) >= next.size()) return;
-    next.erase(next.begin() + chosen);
-    change(std::move(next));
 }
 
 void GraphWindow::open_edits() {
@@ -469,71 +460,21 @@ void GraphWindow::show_chosen() {
 
 void GraphWindow::show_state() {
     const auto graph = shown();
-    const bool a = graph && pose_in(*a_);
-    const bool both = a && pose_in(*b_) && a_->text() != b_->text();
-    refuse_->setEnabled(both);
-    slip_->setEnabled(a);
+    const auto a = graph ? pose_in(*a_) : std::nullopt;
+    const auto b = graph ? pose_in(*b_) : std::nullopt;
+    const bool both = a && b && *a != *b;
+    refuse_->setEnabled(both && joined(graph->solved.graph, *a, *b));
+    slip_->setEnabled(a.has_value());
     close_at_->setEnabled(both);
     close_->setEnabled(both && pose_of(*close_at_));
-    fix_at_->setEnabled(a);
+    fix_at_->setEnabled(a.has_value());
     fix_->setEnabled(a && pose_of(*fix_at_));
-    undo_->setEnabled(now_ > 0);
-    redo_->setEnabled(now_ + 1 < history_.size());
+    undo_->setEnabled(changes_->can_undo());
+    redo_->setEnabled(changes_->can_redo());
     before_->setEnabled(graph != nullptr);
     open_edits_->setEnabled(graph != nullptr);
     save_->setEnabled(graph && graph->stage == ShownGraph::Stage::solved && !busy());
-    QStringList words;
-    for (const GraphEdit& edit : edits()) {
-        words << edit_words(edit);
-        if (!edit.comment.empty()) words.back() += " – " + QString::fromStdString(edit.comment);
-    }
-    QStringList listed;
-    for (int i = 0; i < list_->count(); ++i) listed << list_->item(i)->text();
-    if (listed != words) {
-        const QSignalBlocker quiet(list_);
-        list_->clear();
-        list_->addItems(words);
-    }
-    take_back_->setEnabled(list_->currentRow() >= 0);
-    words_->setText(solved_words());
-}
-
-QString GraphWindow::solved_words() const {
-    const auto graph = shown();
-    if (!graph) return tr("The graph is being read…");
-    const PlanarGraph& solved = graph->solved.graph;
-    QStringList words{tr("Poses: %1, edges: %2.")
-                          .arg(solved.count(PlanarVertex::Kind::pose))
-                          .arg(solved.edges.size())};
-    for (const UnreadLines& lines : graph->file->unread) {
-        words << tr("Passed over, and not written, for what they say is not known here: %1 of %2.")
-                     .arg(counted_words(lines.lines, tr("1 line"), tr("%1 lines")),
-                          QString::fromStdString(lines.tag));
-    }
-    const PlanarSolution& solution = graph->solved.solution;
-    if (graph->stage != ShownGraph::Stage::read) {
-        words << tr("χ² %1 → %2, up to %3 m moved.")
-                     .arg(solution.chi_square_before, 0, 'g', 6)
-                     .arg(solution.chi_square_after, 0, 'g', 6)
-                     .arg(solution.greatest_move_m, 0, 'f', 3);
-        if (!solution.held.empty()) {
-            words << tr("Nothing is fixed in %1 of %2 parts: one vertex of each is held, %3 first.")
-                         .arg(solution.held.size())
-                         .arg(solution.parts)
-                         .arg(solved.vertices[solution.held.front()].id);
-        }
-    }
-    if (graph->stage == ShownGraph::Stage::foreseen) {
-        words << tr("Foreseen; it is being solved from the beginning.");
-    } else if (graph->stage == ShownGraph::Stage::solved && !solution.converged) {
-        words << tr(
-            "Further steps would still move the graph: are edges false? “Robust” takes "
-            "their weight from those that are far from the rest.");
-    } else if (busy()) {
-        words << tr("At work…");
-    }
-    words << told_;
-    return words.join(' ').trimmed();
+    words_->setText(QStringList{graph_words(graph.get(), busy()), told_}.join(' ').trimmed());
 }
 
 }  // namespace hitos::window

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "graph_changes.hpp"
 #include "look/figures_table.hpp"
 #include "look/prompts.hpp"
 #include "look/user_files.hpp"
@@ -18,7 +19,6 @@
 class QCheckBox;
 class QLabel;
 class QLineEdit;
-class QListWidget;
 class QPushButton;
 class QSpinBox;
 class QVBoxLayout;
@@ -41,7 +41,7 @@ class GraphWindow final : public QDialog {
     /// Reading, solving or writing.
     bool busy() const { return solver_->busy(); }
     std::shared_ptr<const ShownGraph> shown() const { return solver_->shown(); }
-    const std::vector<GraphEdit>& edits() const { return history_[now_]; }
+    const std::vector<GraphEdit>& edits() const { return changes_->edits(); }
     GraphView& view() const { return *view_; }
     FiguresTable& table() const { return *table_; }
     void reject() override;
@@ -59,19 +59,19 @@ class GraphWindow final : public QDialog {
     QLineEdit* made_number(QWidget* parent, const char* name, const QString& words);
 
     void take_graph();
+    void make_room_for_table();
     void tell_not_read(const QString& problem);
     void tell_not_solved(const QString& problem);
     void end_writing(const QString& folder, const QString& problem);
 
     void solve();
-    void change(std::vector<GraphEdit> edits);
+    /// Whether it was taken.
+    bool change(std::vector<GraphEdit> edits);
     void add(GraphEdit edit);
-    void go(std::size_t place);
     void refuse();
     void close_loop();
     void slip();
     void fix();
-    void take_back();
     void open_edits();
     void save();
 
@@ -82,7 +82,6 @@ class GraphWindow final : public QDialog {
     void forget_written();
     void show_chosen();
     void show_state();
-    QString solved_words() const;
 
     UserFiles& files_;
     Prompts& prompts_;
@@ -105,11 +104,8 @@ class GraphWindow final : public QDialog {
     QPushButton* slip_ = nullptr;
     QPushButton* close_ = nullptr;
     QPushButton* fix_ = nullptr;
-    QListWidget* list_ = nullptr;
-    QPushButton* take_back_ = nullptr;
+    GraphChanges* changes_ = nullptr;
     QLabel* words_ = nullptr;
-    std::vector<std::vector<GraphEdit>> history_{{}};
-    std::size_t now_ = 0;
     std::vector<GraphEdit> saved_;     ///< those that are written somewhere
     std::vector<GraphEdit> writing_;   ///< those that are being written
     std::optional<std::size_t> edge_;  ///< chosen, of shown()

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "written_pose.hpp"
 
+#include <QCoreApplication>
 #include <QLineEdit>
+#include <QToolTip>
 
 #include "hitos/base/error.hpp"
 #include "hitos/capture/joined_tour.hpp"
+#include "look/theme.hpp"
+#include "look/written_number.hpp"
 
 namespace hitos::window {
 
@@ -17,7 +21,7 @@ QString pose_text(const Pose& pose) {
 
 std::optional<Pose> pose_of(const QLineEdit& line) {
     try {
-        return start_of(line.text().remove(' ').toStdString());
+        return start_of(list_with_points(line.text(), true).toStdString());
     } catch (const Error&) {
         return std::nullopt;
     }
@@ -27,6 +31,15 @@ void make_pose_line(QLineEdit& line, const QString& words) {
     line.setToolTip(words);
     line.setAccessibleName(words);
     line.setMinimumWidth(line.fontMetrics().horizontalAdvance("-100.000, -100.000, -180.00") + 16);
+    const auto unread = [&line] { return !line.text().trimmed().isEmpty() && !pose_of(line); };
+    QObject::connect(&line, &QLineEdit::textChanged, &line,
+                     [&line, unread] { set_look(line, "state", unread() ? "wrong" : "good"); });
+    QObject::connect(&line, &QLineEdit::returnPressed, &line, [&line, unread] {
+        if (!unread()) return;
+        QToolTip::showText(
+            line.mapToGlobal(QPoint(0, line.height())),
+            QCoreApplication::translate("WrittenPose", "Expected: %1").arg(line.toolTip()), &line);
+    });
 }
 
 }  // namespace hitos::window

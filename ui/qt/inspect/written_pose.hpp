@@ -15,7 +15,8 @@ namespace hitos::window {
 QString pose_text(const Pose& pose);
 /// Nothing where it is none.
 std::optional<Pose> pose_of(const QLineEdit& line);
-/// Wide enough for one, and `words` say of what.
+/// Wide enough for one, and `words` say of what. What is none looks wrong, and Enter says what is
+/// expected.
 void make_pose_line(QLineEdit& line, const QString& words);
 
 }  // namespace hitos::window

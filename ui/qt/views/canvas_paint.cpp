@@ -233,6 +233,26 @@ QPolygonF ellipse(const QPointF& centre_m, const Eigen::Matrix2d& covariance, do
     return polygon;
 }
 
+void SeenLines::add(const QLineF& line_m) {
+    constexpr double kLeastPixels = 0.5;
+    const QLineF line = scene_.to_screen.map(line_m);
+    const auto [left, right] = std::minmax({line.x1(), line.x2()});
+    const auto [top, bottom] = std::minmax({line.y1(), line.y2()});
+    const bool seen = right >= 0.0 && left <= scene_.size.width() && bottom >= 0.0 &&
+                      top <= scene_.size.height() &&
+                      std::max(right - left, bottom - top) >= kLeastPixels;
+    if (seen) lines_.append(line);
+}
+
+void SeenLines::draw(QPainter& painter, const QColor& colour, double width) const {
+    constexpr qsizetype kMostSmooth = 2000;
+    const bool smooth = lines_.size() <= kMostSmooth;
+    painter.setRenderHint(QPainter::Antialiasing, smooth);
+    painter.setPen(thin_pen(colour, smooth ? width : 1.0));
+    painter.drawLines(lines_);
+    painter.setRenderHint(QPainter::Antialiasing);
+}
+
 std::vector<QPointF> points_of(const Trajectory& trajectory, const Pose& pose_view_world) {
     std::vector<QPointF> points;
     points.reserve(trajectory.size());

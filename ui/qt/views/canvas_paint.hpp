@@ -55,6 +55,20 @@ double distance_to(const QLineF& segment, const QPointF& point);
 /// Around points; null where there are none.
 QRectF box_of(const std::vector<QPointF>& points);
 
+/// Lines of which those in sight that can be seen are drawn. Very many are drawn thin and rough, as
+/// pens of one pixel are without smoothing: the window must not wait for them.
+class SeenLines {
+  public:
+    explicit SeenLines(const Scene& scene) : scene_(scene) {}
+    /// In the view's frame [m].
+    void add(const QLineF& line_m);
+    void draw(QPainter& painter, const QColor& colour, double width) const;
+
+  private:
+    const Scene& scene_;
+    QVector<QLineF> lines_;
+};
+
 /// Points of a trajectory, moved by `pose_view_world`.
 std::vector<QPointF> points_of(const Trajectory& trajectory, const Pose& pose_view_world = {});
 

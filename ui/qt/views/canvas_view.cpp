@@ -18,7 +18,7 @@
 namespace hitos::window {
 namespace {
 
-constexpr double kLeastZoom = 0.5;      // pixels per metre
+constexpr double kLeastZoom = 0.005;    // pixels per metre: graphs may be of a country
 constexpr double kGreatestZoom = 5000;  // a millimetre is five pixels
 constexpr double kWholeMargin = 1.06;   // of a whole picture round its content
 constexpr double kClickPixels = 4.0;

@@ -22,6 +22,10 @@ struct SolvedGraph {
     std::vector<std::size_t> worst;  ///< of graph.edges, those of the greatest errors
 };
 
+/// Of those the ones that are off by a standard deviation at least: where a graph fits, its
+/// greatest errors are none that anybody has to look at.
+std::span<const std::size_t> marked_edges(const SolvedGraph& solved);
+
 /// Whether errors far from the rest lose weight, and how many edges of the greatest errors are told
 /// and marked.
 struct GraphChoices {
