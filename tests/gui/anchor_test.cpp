@@ -134,6 +134,8 @@ void InspectTest::a_scan_is_anchored_to_a_drawing() {
             QLineF(point_of(transform(laid->pose, Point2{100.0, -50.0})), QPointF()).length() < 1.0,
         qPrintable(QString("%1 %2 %3").arg(laid->pose.x).arg(laid->pose.y).arg(laid->pose.theta)));
     QVERIFY(!drawing.walls().dots.empty());  // the scan, laid over it
+    GridView& grid = f.window->grid_view();
+    QVERIFY2(grid.figures().front().layers.has(Layer::reference), "and the drawing over the grid");
     // The next one is measured before it is made, and one from the other side is not taken.
     f.click_drawing(pairs[0].second);
     scan.choose_wall(pairs[0].first);
@@ -171,6 +173,8 @@ void InspectTest::points_are_anchored_by_their_coordinates() {
     seen.setFocus();
     QTest::keyClicks(&seen, "1.5");
     QVERIFY(!f.part<QPushButton>("anchor_make").isEnabled());
+    QCOMPARE(f.state_words(), "“1.5” cannot be read; expected: " + seen.toolTip());
+    QCOMPARE(seen.property("state").toString(), "wrong");
     QTest::keyClicks(&seen, ", -2");
     QVERIFY(f.part<QPushButton>("anchor_make").isEnabled());
     QTest::keyClick(&seen, Qt::Key_Return);

@@ -292,7 +292,7 @@ void InspectTest::a_step_that_slipped_is_listed_and_taken_back() {
     QVERIFY(!f.button("edit_slip").isEnabled());
     auto* list = f.dock().findChild<QListWidget*>("graph_edits");
     QVERIFY(list->isVisible());
-    QCOMPARE(list->item(0)->text(), "The step to scan 120 slipped");
+    QCOMPARE(list->item(0)->text(), "1. The step to scan 120 slipped");
     list->setCurrentRow(0);
     f.press("edit_take_back");
     QTRY_VERIFY(f.edits().empty() && f.shows_everything());

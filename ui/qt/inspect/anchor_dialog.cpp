@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "anchor_dialog.hpp"
 
-#include <QApplication>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDialogButtonBox>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -17,22 +15,20 @@
 #include <cmath>
 #include <utility>
 
+#include "drawn_walls.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/registration/seen_wall.hpp"
 #include "hitos/simulation/drawings/dxf_walls.hpp"
-#include "hitos/workbench/world_import.hpp"
 #include "look/theme.hpp"
 #include "look/words_of.hpp"
 #include "look/written_number.hpp"
-#include "session/background.hpp"
 #include "views/canvas_paint.hpp"
 #include "wall_view.hpp"
 
 namespace hitos::window {
 namespace {
 
-constexpr int kMillimetres = 3;         // decimals
-constexpr double kShortestDrawn = 0.1;  // [m]; of less nobody knows the direction
+constexpr int kMillimetres = 3;  // decimals
 
 /// As many numbers as are asked for, with commas between; else none.
 std::vector<double> numbers_in(const QString& text, std::size_t count) {
@@ -167,34 +163,12 @@ void AnchorDialog::change_kind() {
 void AnchorDialog::open_drawing(const QString& path) {
     if (path.isEmpty()) return;
     file_ = path;
-    const std::string file = path.toStdString();
-    ImportReport report;
-    WallView::Walls walls;
-    QString problem;
-    QApplication::setOverrideCursor(Qt::WaitCursor);
-    try {
-        const bool dxf = wall_source(file) == WallSource::drawing;
-        unit_->setVisible(dxf);
-        ImportOptions options;
-        const double unit_m = unit_->currentData().toDouble();
-        if (dxf && unit_m > 0.0) options.unit_m = unit_m;
-        for (const Polyline& line :
-             in_background([&] { return walls_as_drawn(file, options, &report); })) {
-            for (std::size_t i = 0; i < line.size(); ++i) {
-                walls.places.push_back(point_of(line[i]));
-                if (i > 0 && distance(line[i - 1], line[i]) >= kShortestDrawn)
-                    walls.walls.push_back(line_between(line[i - 1], line[i]));
-            }
-        }
-    } catch (const std::exception& error) {
-        problem = words_of(error);
-    }
-    QApplication::restoreOverrideCursor();
-    QStringList words{problem.isEmpty() ? QFileInfo(path).fileName() : problem};
-    for (const Message& warning : report.warnings) words << words_of(warning);
-    set_look(*notes_, "role", words.size() > 1 || !problem.isEmpty() ? "warning" : "muted");
-    notes_->setText(words.join("; "));
-    drawing_->set_walls(std::move(walls));
+    unit_->setVisible(is_dxf(path));
+    DrawnWalls read = read_drawn_walls(path, unit_->currentData().toDouble());
+    set_look(*notes_, "role", read.well ? "muted" : "warning");
+    notes_->setText(read.words);
+    emit drawing_read(read.walls.walls);
+    drawing_->set_walls(std::move(read.walls));
     drawing_->choose_wall(std::nullopt);
     drawing_->choose_place(std::nullopt);
     drawing_->fit();
@@ -373,11 +347,28 @@ QString AnchorDialog::words_of_fit(const GraphEdit& edit) const {
     return words + ' ' + tr("This is another wall, or it was seen from its other side (space).");
 }
 
+/// Of what is written and no numbers; empty where there is none.
+QString AnchorDialog::unread_words() const {
+    QString words;
+    const auto look_at = [&](QLineEdit& line, const std::vector<double>& numbers) {
+        const bool unread = numbers.empty() && !line.text().trimmed().isEmpty();
+        const char* look = unread ? "wrong" : "good";
+        if (line.property("state").toString() != look) set_look(line, "state", look);
+        if (unread && words.isEmpty())
+            words = tr("“%1” cannot be read; expected: %2").arg(line.text(), line.toolTip());
+    };
+    look_at(*drawn_, drawn_numbers_);
+    look_at(*seen_, seen_numbers_);
+    return words;
+}
+
 void AnchorDialog::show_state() {
     const auto whole = edit();
-    QString words;
+    QString words = unread_words();
     bool can = whole.has_value();
-    if (!shown_) {
+    if (!words.isEmpty()) {
+        can = false;
+    } else if (!shown_) {
         words = tr("Let the run come to a scan first.");
     } else if (!seen_numbers_.empty() && !of_points() && !scan_->wall()) {
         words = tr("The scan sees no straight wall of half a metre in that direction.");
@@ -394,7 +385,7 @@ void AnchorDialog::show_state() {
             std::vector<GraphEdit> edits =
                 parse_graph_edits(session_.configuration().registration.edits);
             edits.push_back(*whole);
-            check_graph_edits(edits);
+            parse_graph_edits(text_of(edits));  // says what is wrong with it
             words = words_of_fit(*whole);
         } catch (const std::exception& error) {
             words = words_of(error);

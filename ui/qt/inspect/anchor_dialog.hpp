@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QLineF>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -38,6 +39,8 @@ class AnchorDialog final : public QDialog {
   signals:
     /// A file is to be chosen, for open_drawing().
     void drawing_wanted();
+    /// Its walls, in its own frame [m].
+    void drawing_read(const std::vector<QLineF>& walls);
     /// Another change by hand, of the scan that is shown.
     void anchored(const hitos::GraphEdit& anchor);
 
@@ -53,6 +56,7 @@ class AnchorDialog final : public QDialog {
     void take_drawn();
     void take_seen();
     void take_written();
+    QString unread_words() const;
     void show_state();
     QString words_of_fit(const GraphEdit& edit) const;
     std::optional<GraphEdit> edit() const;

@@ -119,7 +119,8 @@ void EditList::refresh() {
     const std::vector<GraphEdit> edits = edits_of(session_);
     QStringList words;
     for (const GraphEdit& edit : edits) {
-        words << words_of(edit);
+        // By its number errors name it.
+        words << QString("%1. %2").arg(words.size() + 1).arg(words_of(edit));
         if (!edit.comment.empty()) words.back() += " – " + to_qt(edit.comment);
     }
     QStringList shown;
@@ -199,6 +200,7 @@ void EditList::show_anchors() {
     if (anchors_ == nullptr) {
         anchors_ = new AnchorDialog(session_, window());
         connect(anchors_, &AnchorDialog::drawing_wanted, this, &EditList::drawing_wanted);
+        connect(anchors_, &AnchorDialog::drawing_read, this, &EditList::drawing_read);
         connect(anchors_, &AnchorDialog::anchored, this, [this](const GraphEdit& anchor) {
             std::vector<GraphEdit> edits = edits_of(session_);
             edits.push_back(anchor);

@@ -2,6 +2,7 @@
 // What is changed by hand in the graph of the run, and the way to take it back.
 #pragma once
 
+#include <QLineF>
 #include <QWidget>
 #include <cstdint>
 #include <vector>
@@ -35,6 +36,8 @@ class EditList final : public QWidget {
     /// registration.edits
     void edits_wanted(QString edits);
     void drawing_wanted();
+    /// As AnchorDialog's.
+    void drawing_read(const std::vector<QLineF>& walls);
 
   private:
     void show_anchors();

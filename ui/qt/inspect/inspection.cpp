@@ -64,6 +64,7 @@ void Inspection::connect_views(ScanView& scan, GridView& grid) {
     });
     connect(associations_, &AssociationInspector::feature_chosen, &scan, &ScanView::set_feature);
     connect(loops_, &LoopTable::loop_shown, &grid, &GridView::set_loop);
+    connect(loops_, &LoopTable::drawing_read, &grid, &GridView::set_drawing);
     connect(&grid, &GridView::loop_clicked, loops_, [this](const auto& loop) {
         if (loops_->isVisible() && !loops_->takes_places()) loops_->choose(loop);
     });

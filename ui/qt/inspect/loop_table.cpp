@@ -105,6 +105,7 @@ LoopTable::LoopTable(Session& session, QWidget* parent)
     inside->addWidget(edits_);
     connect(edits_, &EditList::edits_wanted, this, &LoopTable::edits_wanted);
     connect(edits_, &EditList::drawing_wanted, this, &LoopTable::drawing_wanted);
+    connect(edits_, &EditList::drawing_read, this, &LoopTable::drawing_read);
     column->addWidget(there_, 1);
     none_ = new QLabel(this);
     none_->setObjectName("no_loops");

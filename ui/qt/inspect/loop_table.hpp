@@ -2,6 +2,7 @@
 // The places that looked like an earlier one, in numbers, and both passages of the chosen one.
 #pragma once
 
+#include <QLineF>
 #include <QPointF>
 #include <QTimer>
 #include <QWidget>
@@ -53,6 +54,8 @@ class LoopTable final : public QWidget {
     void edits_wanted(QString edits);
     /// For open_drawing().
     void drawing_wanted();
+    /// As AnchorDialog's.
+    void drawing_read(const std::vector<QLineF>& walls);
     void picture_wanted();
 
   protected:

@@ -125,6 +125,7 @@ GridView::GridView(QWidget* parent) : CanvasView(parent) {
 
 void GridView::set_snapshot(const std::shared_ptr<const Snapshot>& snapshot) {
     snapshot_ = snapshot && snapshot->steps > 0 ? snapshot : nullptr;
+    drawing_.lay(snapshot_ ? snapshot_->drawing : std::nullopt);
     hovered_ = -1;
     if (!snapshot_) {
         tiles_ = {};
@@ -169,6 +170,11 @@ void GridView::set_loop(const std::optional<RunLoop>& loop) {
     update();
 }
 
+void GridView::set_drawing(const std::vector<QLineF>& walls) {
+    drawing_.set_walls(walls);
+    update();
+}
+
 void GridView::set_reference_map(const std::optional<LandmarkMap>& map) {
     reference_map_ = map;
     update();
@@ -209,7 +215,7 @@ bool GridView::only_landmarks() const {
 LayerSet GridView::drawable() const {
     LayerSet layers;
     layers.set(Layer::path, !path_.empty());
-    layers.set(Layer::reference, reference_map_ || !reference_path_.empty());
+    layers.set(Layer::reference, reference_map_ || !reference_path_.empty() || !drawing_.empty());
     const bool traced = std::ranges::any_of(
         traces_, [](const RunTrace& trace) { return !trace.landmarks.map.empty(); });
     const bool landmarks = traced || only_landmarks() || (!snapshot_ && !landmarks_.map.empty());
@@ -280,6 +286,7 @@ void GridView::paint_scene(QPainter& painter, const Scene& scene) const {
 
 void GridView::paint_reference(QPainter& painter, const Scene& scene) const {
     const QColor colour = light_colours().reference;
+    drawing_.paint(painter, scene, faded(colour, 190));
     if (reference_map_) {
         painter.setPen(thin_pen(faded(colour, 190), 1.3, Qt::DotLine));
         painter.setBrush(Qt::NoBrush);

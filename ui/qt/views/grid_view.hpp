@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "canvas_view.hpp"
+#include "drawing_layer.hpp"
 #include "grid_layer.hpp"
 #include "hitos/services/run/run_worker.hpp"
 #include "landmark_painter.hpp"
@@ -43,6 +44,8 @@ class GridView final : public CanvasView {
     void set_highlight(const hitos::window::PickedLandmark& picked);
     /// Shows this loop strongly, closed or not; nothing shows none.
     void set_loop(const std::optional<RunLoop>& loop);
+    /// The walls of the drawing that the run is anchored to, in its own frame [m].
+    void set_drawing(const std::vector<QLineF>& walls);
     void set_reference_map(const std::optional<LandmarkMap>& map);
     void set_reference_path(const Trajectory& path_world);
     /// Drawn over everything else, with a legend.
@@ -94,6 +97,7 @@ class GridView final : public CanvasView {
     std::vector<QPointF> odometry_;
     std::vector<QPointF> online_;
     std::vector<QPointF> reference_path_;
+    DrawingLayer drawing_;
     std::optional<LandmarkMap> reference_map_;
     std::vector<RunTrace> traces_;
     QRectF other_content_;

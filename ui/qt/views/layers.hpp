@@ -102,7 +102,9 @@ inline constexpr auto kLayerTable = std::to_array<LayerInfo>({
                        "a closed loop joins")},
     {Layer::reference, "reference", QT_TRANSLATE_NOOP("Layers", "Reference"), true, Sign::dashes,
      &Colours::reference, false, true,
-     QT_TRANSLATE_NOOP("Layers", "The map and the path that this run is compared with")},
+     QT_TRANSLATE_NOOP("Layers",
+                       "The map and the path that this run is compared with, and the drawing "
+                       "that it is anchored to")},
     {Layer::names, "names", QT_TRANSLATE_NOOP("Layers", "Landmark numbers"), false, Sign::text,
      &Colours::landmark, true, false,
      QT_TRANSLATE_NOOP("Layers", "Their numbers, as tables and files have them")},
