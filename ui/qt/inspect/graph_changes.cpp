@@ -96,6 +96,9 @@ GraphChanges::GraphChanges(QWidget* parent) : QWidget(parent) {
     list_->setObjectName("graph_edits");
     list_->setAccessibleName(tr("Changes by hand"));
     list_->setFixedHeight(5 * fontMetrics().height());
+    list_->setWordWrap(true);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->setResizeMode(QListView::Adjust);
     column->addWidget(list_);
     take_back_ = new QPushButton(tr("Take back the change"), this);
     take_back_->setObjectName("graph_take_back");

@@ -474,7 +474,7 @@ void GraphWindow::show_state() {
     before_->setEnabled(graph != nullptr);
     open_edits_->setEnabled(graph != nullptr);
     save_->setEnabled(graph && graph->stage == ShownGraph::Stage::solved && !busy());
-    words_->setText(QStringList{graph_words(graph.get(), busy()), told_}.join(' ').trimmed());
+    words_->setText(QStringList{told_, graph_words(graph.get(), busy())}.join(' ').trimmed());
 }
 
 }  // namespace hitos::window
