@@ -247,11 +247,13 @@ void GraphWindow::take_graph() {
     show_chosen();
 }
 
-/// Ids may have many digits: all columns, up to half of the window.
+/// Ids may have many digits: all columns, up to half of the window. Where they fit nothing moves,
+/// so that a large graph is not drawn twice.
 void GraphWindow::make_room_for_table() {
     const int columns = table_->horizontalHeader()->length();
     const int around = table_->verticalScrollBar()->sizeHint().width() + 2 * table_->frameWidth();
-    table_->setMinimumWidth(std::min(columns + around, width() / 2));
+    const int wanted = std::min(columns + around, width() / 2);
+    if (wanted > table_->width()) table_->setMinimumWidth(wanted);
 }
 
 void GraphWindow::tell_not_read(const QString& problem) {
