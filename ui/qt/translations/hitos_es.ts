@@ -1907,10 +1907,6 @@
         <translation>el mensaje está comprimido por sí mismo (compression_mode MESSAGE de rosbag2), lo que Hitos no lee; convierta la grabación con «ros2 bag convert»</translation>
     </message>
     <message>
-        <source>the graph has a number that is not finite and cannot be written</source>
-        <translation>el grafo tiene un número que no es finito y no se puede escribir</translation>
-    </message>
-    <message>
         <source>landmark %1 of the map is not finite and cannot be written</source>
         <translation>el hito %1 del mapa no es finito y no se puede escribir</translation>
     </message>
@@ -3394,6 +3390,18 @@
         <source>record or play the tour once; of a log that goes back, make a log of each part, and go on with the map of the first</source>
         <translation>grabe o reproduzca el recorrido una sola vez; de un registro que vuelve atrás, haga un registro de cada parte, y continúe con el mapa de la primera</translation>
     </message>
+    <message>
+        <source>the graph cannot be written: &quot;%1&quot; would go on with %2, and numbers from -%3 to %3 are read; are its numbers metres and radians, and no edge false?</source>
+        <translation>el grafo no se puede escribir: «%1» seguiría con %2, y se leen números de -%3 a %3; ¿son sus números metros y radianes, y no hay ninguna arista falsa?</translation>
+    </message>
+    <message>
+        <source>the grid would have %1 x %2 cells, %3 m by %4 m, and %5 % of them are near anything that was seen; of more than %6 cells one in %7 has to be. Is an anchor, a place that is fixed or a reading far off? Else choose coarser cells (grid.resolution)</source>
+        <translation>la rejilla tendría %1 x %2 celdas, %3 m por %4 m, y el %5 % de ellas está cerca de algo que se vio; de más de %6 celdas, una de cada %7 tiene que estarlo. ¿Queda lejos un ancla, un lugar fijado o una lectura? Si no, elija celdas más gruesas (grid.resolution)</translation>
+    </message>
+    <message>
+        <source>is the address of a running robot, expected a log: hitos-cli run --follow maps what the robot sends, and keeps a log of it</source>
+        <translation>es la dirección de un robot en marcha, se esperaba un registro: hitos-cli run --follow cartografía lo que envía el robot y guarda un registro de ello</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -3591,16 +3599,16 @@
         <translation>Los barridos que conserva la alineación, y líneas entre los que une un bucle cerrado</translation>
     </message>
     <message>
-        <source>The map and the path that this run is compared with</source>
-        <translation>El mapa y el camino con los que se compara esta ejecución</translation>
-    </message>
-    <message>
         <source>Their numbers, as tables and files have them</source>
         <translation>Sus números, como los tienen tablas y archivos</translation>
     </message>
     <message>
         <source>From where the particles of now come: paths of all, which are one where resampling left one ancestor</source>
         <translation>De dónde vienen las partículas de ahora: los caminos de todas, que son uno donde el remuestreo dejó un solo antepasado</translation>
+    </message>
+    <message>
+        <source>The map and the path that this run is compared with, and the drawing that it is anchored to</source>
+        <translation>El mapa y el camino con los que se compara esta ejecución, y el dibujo al que está anclada</translation>
     </message>
 </context>
 <context>
@@ -5477,6 +5485,13 @@
     </message>
 </context>
 <context>
+    <name>WrittenPose</name>
+    <message>
+        <source>Expected: %1</source>
+        <translation>Se espera: %1</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::AnchorDialog</name>
     <message>
         <source>Anchor to a drawing</source>
@@ -5605,6 +5620,10 @@
     <message>
         <source>Choose a wall of the drawing, on the side where the robot stood, and the same wall in scan %1.</source>
         <translation>Elija una pared del dibujo, por el lado donde estaba el robot, y la misma pared en el barrido %1.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be read; expected: %2</source>
+        <translation>«%1» no se puede leer; se espera: %2</translation>
     </message>
 </context>
 <context>
@@ -6783,6 +6802,41 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::GraphChanges</name>
+    <message>
+        <source>Refused: the edges between %1 and %2</source>
+        <translation>Rechazadas: las aristas entre %1 y %2</translation>
+    </message>
+    <message>
+        <source>Closed: %1 seen from %2</source>
+        <translation>Cerrado: %1 visto desde %2</translation>
+    </message>
+    <message>
+        <source>Fixed: %1</source>
+        <translation>Fijado: %1</translation>
+    </message>
+    <message>
+        <source>Slipped: the step to %1</source>
+        <translation>Resbaló: el paso a %1</translation>
+    </message>
+    <message>
+        <source>Changes by hand</source>
+        <translation>Cambios a mano</translation>
+    </message>
+    <message>
+        <source>Take back the change</source>
+        <translation>Deshacer el cambio</translation>
+    </message>
+    <message>
+        <source>Another change of the same poses was given up for it: %1.</source>
+        <translation>Se descartó por él otro cambio de las mismas poses: %1.</translation>
+    </message>
+    <message>
+        <source>(%1 σ off)</source>
+        <translation>(a %1 σ)</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::GraphModel</name>
     <message>
         <source>From</source>
@@ -6842,22 +6896,6 @@
 </context>
 <context>
     <name>hitos::window::GraphWindow</name>
-    <message>
-        <source>Refused: the edges between %1 and %2</source>
-        <translation>Rechazadas: las aristas entre %1 y %2</translation>
-    </message>
-    <message>
-        <source>Closed: %1 seen from %2</source>
-        <translation>Cerrado: %1 vista desde %2</translation>
-    </message>
-    <message>
-        <source>Fixed: %1</source>
-        <translation>Fijada: %1</translation>
-    </message>
-    <message>
-        <source>Slipped: the step to %1</source>
-        <translation>Patinó: el paso a %1</translation>
-    </message>
     <message>
         <source>%1 – Graph</source>
         <translation>%1 – Grafo</translation>
@@ -6969,10 +7007,6 @@
     <message>
         <source>Changes by hand</source>
         <translation>Cambios a mano</translation>
-    </message>
-    <message>
-        <source>Take back the change</source>
-        <translation>Retirar el cambio</translation>
     </message>
     <message>
         <source>The graph was not opened</source>
