@@ -6809,15 +6809,15 @@
     </message>
     <message>
         <source>Closed: %1 seen from %2</source>
-        <translation>Cerrado: %1 visto desde %2</translation>
+        <translation>Cerrado: %1 vista desde %2</translation>
     </message>
     <message>
         <source>Fixed: %1</source>
-        <translation>Fijado: %1</translation>
+        <translation>Fijada: %1</translation>
     </message>
     <message>
         <source>Slipped: the step to %1</source>
-        <translation>Resbaló: el paso a %1</translation>
+        <translation>Patinó: el paso a %1</translation>
     </message>
     <message>
         <source>Changes by hand</source>
@@ -6825,7 +6825,7 @@
     </message>
     <message>
         <source>Take back the change</source>
-        <translation>Deshacer el cambio</translation>
+        <translation>Retirar el cambio</translation>
     </message>
     <message>
         <source>Another change of the same poses was given up for it: %1.</source>
@@ -6833,7 +6833,7 @@
     </message>
     <message>
         <source>(%1 σ off)</source>
-        <translation>(a %1 σ)</translation>
+        <translation>(se aparta %1 σ)</translation>
     </message>
 </context>
 <context>
