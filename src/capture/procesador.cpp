@@ -127,7 +127,6 @@ std::optional<Scan> Procesador::next_scan() {
                 ++report_.duplicate_scans;
                 continue;
             }
-            scan_returns_.note(scan->time_s);
             last_scan_ = *scan;
             const double late_s = options_.scan_delay_s + clock_.added(scan->time_s);
             if (late_s != 0.0) {
@@ -136,6 +135,7 @@ std::optional<Scan> Procesador::next_scan() {
                 scan->delay_s = scan->time_s - logged_s;
                 scan->carries_odometry = false;
             }
+            scan_returns_.note(scan->time_s);
             if (is_early(*scan)) {
                 if (options_.leave_out_early_scans) {
                     ++report_.early_scans_left_out;
@@ -154,12 +154,16 @@ std::optional<Scan> Procesador::next_scan() {
 
 void Procesador::Returns::note(double time_s) {
     constexpr double kLate = 2.0;  // [s]: less is out of order
-    const double back_s = stamps++ > 0 ? last_s - time_s : 0.0;
-    if (back_s > kLate) ++count;
-    if (back_s > std::max(kLate, most_s)) {
-        most_s = back_s;
-        at_s = last_s;
+    // Of the stamp before this one, where this one does not go ahead again.
+    const double back_s = ++stamps > 2 ? before_s - last_s : 0.0;
+    if (back_s > kLate && before_s - time_s > kLate) {
+        ++count;
+        if (back_s > most_s) {
+            most_s = back_s;
+            at_s = before_s;
+        }
     }
+    before_s = last_s;
     last_s = time_s;
 }
 
@@ -225,7 +229,8 @@ std::vector<TourFinding> Procesador::findings() const {
                                  "let the driver say how long it takes from one ray to the next "
                                  "(time_increment)"))}}});
     }
-    const bool scans = scan_returns_.rare() && scan_returns_.most_s > odometry_returns_.most_s;
+    const bool scans = scan_returns_.rare() && (!odometry_returns_.rare() ||
+                                                scan_returns_.most_s > odometry_returns_.most_s);
     tell_return(scans ? scan_returns_ : odometry_returns_, found);
     steps_.tell(found, options_);
     const auto still = [&](OdometryFrom asked, Message what, Remedy remedy) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <queue>
 #include <utility>
 
@@ -26,9 +27,16 @@ void KeyGraph::add(const KeyPose& pose, KeyScan scan, bool in_crowd) {
     }
 }
 
-/// It leads to others still.
+/// Whether it is joined to an older key that never comes to rest.
+bool KeyGraph::is_anchored(std::size_t key) const {
+    return std::ranges::any_of(
+        joined_[key], [&](std::uint32_t other) { return other < key && !in_crowd_[other]; });
+}
+
+/// It leads to others still. Those beside it are anchored too, so that every stretch of keys that
+/// do not rest is still led to by its first one.
 void KeyGraph::rest(std::size_t key) {
-    if (joined_[key].empty()) return;
+    if (!is_anchored(key - 1) || !is_anchored(key) || !is_anchored(key + 1)) return;
     rests_[key] = true;
     ++rest_;
     for (const std::uint32_t other : joined_[key]) std::erase(joined_[other], key);
@@ -36,30 +44,23 @@ void KeyGraph::rest(std::size_t key) {
 
 void KeyGraph::thin_resting() {
     rest_ = 0;
-    constexpr std::uint8_t kEnough = 3;  // edges, of which one alone may leave a direction open
-    std::vector<std::uint8_t> held(size(), 0);
+    constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> anchors(size(), kNone);  // of who rests, the first one
     for (const PoseEdge& edge : edges) {
-        if (edge.kind != EdgeKind::anchor && rests_[edge.to] && !rests_[edge.from] &&
-            held[edge.to] < kEnough)
-            ++held[edge.to];
+        if (edge.said() || !rests_[edge.to] || rests_[edge.from]) continue;
+        anchors[edge.to] = std::min(anchors[edge.to], edge.from);
     }
-    std::erase_if(edges, [&](const PoseEdge& edge) {
-        return !edge.said() && rests_[edge.to] && rests_[edge.from] && held[edge.to] == kEnough;
-    });
-}
-
-void KeyGraph::cut(std::size_t begin) {
-    if (!std::ranges::binary_search(cuts_, begin))
-        cuts_.insert(std::ranges::upper_bound(cuts_, begin), begin);
-    const auto across = [&](std::size_t a, std::size_t b) { return (a < begin) != (b < begin); };
-    std::erase_if(edges,
-                  [&](const PoseEdge& edge) { return !edge.said() && across(edge.from, edge.to); });
-    for (std::size_t key = 0; key < size(); ++key) {
-        std::erase_if(joined_[key], [&](std::uint32_t other) { return across(key, other); });
+    const auto among_resting = [&](const PoseEdge& edge) {
+        return !edge.said() && rests_[edge.to] && rests_[edge.from] && anchors[edge.to] != kNone;
+    };
+    for (PoseEdge& edge : edges) {
+        if (edge.kind != EdgeKind::odometry || !among_resting(edge)) continue;
+        const Pose& anchor = poses[anchors[edge.to]].pose;
+        edge.information = turned(edge.information, poses[edge.from].pose.theta - anchor.theta);
+        edge.z = between(anchor, poses[edge.to].pose);
+        edge.from = anchors[edge.to];
     }
-    for (const PoseEdge& edge : edges) {
-        if (edge.from > 0 && across(edge.from, edge.to)) join(edge.from, edge.to);
-    }
+    std::erase_if(edges, among_resting);
 }
 
 bool KeyGraph::thin_if_many_rest() {
@@ -70,7 +71,16 @@ bool KeyGraph::thin_if_many_rest() {
     return edges.size() < before;
 }
 
+void KeyGraph::wake(std::size_t key) {
+    if (!rests_[key]) return;
+    rests_[key] = false;
+    for (const std::uint32_t other : joined_[key])
+        joined_[other].push_back(static_cast<std::uint32_t>(key));
+}
+
 void KeyGraph::join(std::uint32_t a, std::uint32_t b) {
+    wake(a);
+    wake(b);
     joined_[a].push_back(b);
     joined_[b].push_back(a);
 }

@@ -54,15 +54,16 @@ class KeyGraph {
     /// after a dozen times.
     void add(const KeyPose& pose, KeyScan scan, bool in_crowd = false);
     bool rests(std::size_t key) const { return rests_[key]; }
-    /// Of the edges to a key that rests, where there are enough from others, those from keys that
-    /// rest go: it hangs on keys that stay, and costs a solution next to nothing.
+    /// A key that rests and has an edge from one that does not loses those from others that rest:
+    /// it hangs on keys that stay, and costs a solution next to nothing. Its step by the odometry
+    /// becomes one from the first of these to where it lies, as sure as the step was.
     void thin_resting();
     /// The same where many have come to rest since; whether any edge has gone.
     bool thin_if_many_rest();
     /// Cuts the tour before a key: no edge but those by hand stays between the keys before it and
     /// the others, until one joins them.
     void cut(std::size_t begin);
-    /// That two keys of different passages saw the same walls.
+    /// That two keys of different passages saw the same walls. Who rested is led to again.
     void join(std::uint32_t a, std::uint32_t b);
     /// The first key of the part that a key belongs to.
     std::size_t part_begin(std::size_t key) const;
@@ -84,7 +85,9 @@ class KeyGraph {
                          std::size_t newest, std::vector<PoseEdge>& found) const;
 
   private:
+    bool is_anchored(std::size_t key) const;
     void rest(std::size_t key);
+    void wake(std::size_t key);
 
     std::vector<std::vector<std::uint32_t>> joined_;
     std::vector<std::size_t> cuts_;  // ascending

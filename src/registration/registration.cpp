@@ -193,7 +193,8 @@ void Registration::Impl::add_key(std::uint64_t scan, const TourBegin* begin) {
         }
         for (std::size_t i = first; i < graph_.edges.size(); ++i) {
             const PoseEdge& edge = graph_.edges[i];
-            if (edge.kind == EdgeKind::loop) graph_.join(edge.from, newest);
+            if (edge.kind == EdgeKind::loop && !graph_.rests(edge.from))
+                graph_.join(edge.from, newest);
         }
         believe_where_it_fits(by_source_);
     }

@@ -2,7 +2,6 @@
 // A tour that comes in while it is mapped.
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -56,7 +55,8 @@ class LiveSource {
     /// Keeps all that comes through the descriptor, which is not closed, in a new file: `name` with
     /// the ending .mcap where that is what comes, else .log. It is over where the other end closes.
     /// Waits for the first byte. Null where that never comes. Throws FileError where the file is
-    /// there already, unless it is to be replaced by what comes, or cannot be written.
+    /// there already, unless it is to be replaced as soon as what comes can be mapped, or cannot be
+    /// written.
     static std::unique_ptr<LiveSource> of_pipe(int descriptor, const std::filesystem::path& name,
                                                bool replace, const GoesOn& goes_on);
     /// Keeps what a server of the Foxglove WebSocket protocol ("ws://HOST:PORT") tells of lasers,
@@ -94,8 +94,8 @@ class LiveSource {
 
     /// Whether anything has come that is worth to be kept.
     bool holds_something() const;
-    /// It has not: the file goes again, and one that it was to replace is back, which is told. So
-    /// it is at the end where nobody asks for it.
+    /// Where it has not the file goes again, and one that it was to replace is back, which is told.
+    /// So it is at the end where nobody asks for it.
     bool give_back();
     /// No more is waited for: the tour is what has come by now.
     void end();
@@ -111,14 +111,12 @@ class LiveSource {
     /// Puts what comes into the file until it is over or no more is wanted; throws FileError.
     using Receive = std::function<void(const std::stop_token& stop, LiveSource& source)>;
     LiveSource(std::unique_ptr<ReceivedFile> received, Receive receive);
-    void note_something();
     Opening opening_now(std::string_view format, ReadOptions options, std::size_t scans) const;
 
     std::filesystem::path file_;
     std::shared_ptr<FileGrowth> growth_;
     std::shared_ptr<const FoxgloveReceiver> server_;  ///< null where none is asked
     std::unique_ptr<ReceivedFile> received_;          ///< null where another program writes it
-    std::atomic<bool> holds_something_ = false;
     std::mutex ending_;
     mutable std::mutex mutex_;
     std::optional<FileError> problem_;

@@ -67,7 +67,7 @@ class Procesador final : public TourReader {
         std::array<double, 4> periods_s{};  ///< newest times from scan to scan
         std::optional<double> last_s;
     };
-    /// Where the stamps of a sequence go back to times that were.
+    /// Where the stamps of a sequence go back to times that were, and stay there.
     struct Returns {
         void note(double time_s);
         /// Stamps of two clocks in turn go to and fro.
@@ -75,6 +75,7 @@ class Procesador final : public TourReader {
         static constexpr std::uint64_t kOften = 10;
         std::uint64_t stamps = 0;
         std::uint64_t count = 0;
+        double before_s = 0.0;  ///< stamp before the last
         double last_s = 0.0;
         double most_s = 0.0;
         double at_s = 0.0;

@@ -83,16 +83,10 @@ LiveSource::LiveSource(std::unique_ptr<ReceivedFile> received, Receive receive)
 
 LiveSource::~LiveSource() {
     end();
-    if (!holds_something()) give_back();
-}
-
-void LiveSource::note_something() {
-    received_->keep();
-    holds_something_ = true;
 }
 
 bool LiveSource::holds_something() const {
-    return !received_ || holds_something_;
+    return !received_ || received_->holds_something();
 }
 
 bool LiveSource::give_back() {
@@ -119,7 +113,7 @@ std::unique_ptr<LiveSource> LiveSource::of_pipe(int descriptor, const std::files
     file += begins_mcap(first) ? ".mcap" : ".log";
     const auto receive = [=](const std::stop_token& stop, LiveSource& source) {
         source.received_->append(first);
-        source.note_something();
+        source.received_->note_something();
         std::array<char, kInputBytes> block{};
         while (!stop.stop_requested()) {
             const auto got = read_if_any(descriptor, block);
@@ -149,7 +143,8 @@ std::unique_ptr<LiveSource> LiveSource::of_server(const std::string& url,
             stop,
             [&](std::string_view bytes) {
                 source.received_->append(bytes);
-                if (receiver->came()) source.note_something();  // more than what describes it
+                if (receiver->came())
+                    source.received_->note_something();  // more than what describes it
             },
             [&](Message news) {
                 const std::scoped_lock lock(source.mutex_);
@@ -230,6 +225,7 @@ std::optional<LiveSource::Opening> LiveSource::wait_for_opening(
                                                                  : options.odom_topic.empty();
             }
         }
+        if (received_ && opening.scans > 0) received_->replace();
         if (!told(opening)) return std::nullopt;
         if (over && failure) std::rethrow_exception(failure);  // else more may make sense of it
         if (over || opening.scans >= scans) return opening;

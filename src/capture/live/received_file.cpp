@@ -2,6 +2,7 @@
 #include "live/received_file.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -19,14 +20,26 @@ namespace {
 constexpr const char* kCannotBeMade =
     HITOS_TEXT("Errors", "cannot be made to keep what comes in: %1");
 
+constexpr const char* kFormer = ".before";
+
+/// Who receives into a file holds it for itself alone.
+bool is_locked(const std::filesystem::path& file) {
+    const int there = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (there < 0) return false;
+    const bool locked = ::flock(there, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    ::close(there);
+    return locked;
+}
+
 /// Beside the file, and free: what a run that was killed has left there is not lost either.
 std::filesystem::path name_of_former(const std::filesystem::path& file) {
     std::filesystem::path name = file;
-    name += ".before";
+    name += kFormer;
     std::error_code unknown;
     for (int i = 2; std::filesystem::exists(std::filesystem::symlink_status(name, unknown)); ++i) {
         name = file;
-        name += ".before-";
+        name += kFormer;
+        name += '-';
         name += std::to_string(i);
     }
     return name;
@@ -38,18 +51,34 @@ ReceivedFile::ReceivedFile(std::filesystem::path file, bool replace) : file_(std
     const auto open = [&] {
         descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC,
                              S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH);
+        if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX | LOCK_NB);
         return descriptor_ >= 0;
     };
     if (open()) return;
     if (errno != EEXIST) throw FileError(file_.string(), kCannotBeMade, system_message(errno));
+    before_ = name_of_former(file_);
     if (!replace) {
+        std::filesystem::path before = file_;
+        before += kFormer;
+        throw FileError(
+            file_.string(),
+            before == before_
+                ? message(HITOS_TEXT("Errors",
+                                     "is there already, and may be what another run received; say "
+                                     "--replace to receive in its place, or another name with "
+                                     "--received"))
+                : message(HITOS_TEXT("Errors",
+                                     "is there already, of a run that was broken off; what it was "
+                                     "to replace is %1. Say which of both is to stay by its name; "
+                                     "--replace receives in the place of the first"),
+                          before.string()));
+    }
+    if (is_locked(file_)) {
         throw FileError(file_.string(),
                         HITOS_TEXT("Errors",
-                                   "is there already, and may be what another run received; say "
-                                   "--replace to receive in its place, or another name with "
-                                   "--received"));
+                                   "is being received into by another run; name another file, or "
+                                   "end that one first"));
     }
-    before_ = name_of_former(file_);
     std::error_code failed;
     std::filesystem::rename(file_, before_, failed);
     if (failed) throw FileError(file_.string(), kCannotBeMade, failed.message());
@@ -60,6 +89,7 @@ ReceivedFile::ReceivedFile(std::filesystem::path file, bool replace) : file_(std
 }
 
 ReceivedFile::~ReceivedFile() {
+    give_back();
     ::close(descriptor_);
 }
 
@@ -78,16 +108,25 @@ void ReceivedFile::append(std::span<const char> bytes) {
     }
 }
 
-void ReceivedFile::keep() {
+void ReceivedFile::replace() {
     const std::scoped_lock lock(mutex_);
-    if (std::exchange(kept_, true) || before_.empty()) return;
+    if (before_.empty()) return;
     std::error_code ignored;
     std::filesystem::remove(before_, ignored);
+    before_.clear();
+}
+
+/// Nobody has moved it, or put another one there.
+bool ReceivedFile::is_at_its_name() const {
+    struct stat own {};
+    struct stat named {};
+    return ::fstat(descriptor_, &own) == 0 && ::stat(file_.c_str(), &named) == 0 &&
+           own.st_dev == named.st_dev && own.st_ino == named.st_ino;
 }
 
 bool ReceivedFile::give_back() {
     const std::scoped_lock lock(mutex_);
-    if (std::exchange(kept_, true)) return false;
+    if (something_ || std::exchange(given_back_, true) || !is_at_its_name()) return false;
     std::error_code failed;
     if (before_.empty()) {
         std::filesystem::remove(file_, failed);

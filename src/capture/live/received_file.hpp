@@ -2,19 +2,22 @@
 // The file that keeps what comes in.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <mutex>
 #include <span>
 
 namespace hitos {
 
-/// It grows from the first moment on, so that readers can follow it. One that was there already is
-/// not lost before something has come that takes its place.
+/// It grows from the first moment on, so that readers can follow it. One that was there already
+/// stands beside it as NAME.before until what comes can be mapped: whatever happens before, it is
+/// not lost.
 class ReceivedFile {
   public:
-    /// Throws FileError where the file is there already, unless it is to be replaced, or cannot be
-    /// made.
+    /// Throws FileError where the file is there already, unless it is to be replaced, where another
+    /// program receives into it, or it cannot be made.
     ReceivedFile(std::filesystem::path file, bool replace);
+    /// Where nothing has come the file goes again, and what was there before is back.
     ~ReceivedFile();
     ReceivedFile(const ReceivedFile&) = delete;
     ReceivedFile& operator=(const ReceivedFile&) = delete;
@@ -22,16 +25,22 @@ class ReceivedFile {
     const std::filesystem::path& path() const { return file_; }
     /// Throws FileError.
     void append(std::span<const char> bytes);
-    /// Something has come that is worth to be kept: what was there before goes.
-    void keep();
-    /// Nothing has: the file goes, and what was there before is back; whether there was anything.
+    /// Something has come that is worth to be kept.
+    void note_something() { something_ = true; }
+    bool holds_something() const { return something_; }
+    /// It can be mapped: what was there before goes.
+    void replace();
+    /// What the destructor does, at once; whether what was there before is back.
     bool give_back();
 
   private:
+    bool is_at_its_name() const;
+
     std::filesystem::path file_;
     std::mutex mutex_;
-    std::filesystem::path before_;  ///< where it is meanwhile; empty where there was none
-    bool kept_ = false;
+    std::filesystem::path before_;  ///< where it is meanwhile; empty where there is none
+    std::atomic<bool> something_ = false;
+    bool given_back_ = false;
     int descriptor_ = -1;
 };
 

@@ -11,7 +11,7 @@ namespace hitos {
 
 void check_written_cells(const Grid& grid) {
     constexpr std::int64_t kFew = 16'000'000;  // 200 m by 200 m at 5 cm
-    constexpr std::int64_t kEmptiest = 8;      // cells for each near something seen
+    constexpr std::int64_t kEmptiest = 100;    // cells for each near something seen
     const std::int64_t cells = std::int64_t{grid.columns()} * grid.rows();
     const std::int64_t seen = grid.seen_cells();
     if (cells <= kFew || cells / kEmptiest <= seen) return;

@@ -335,50 +335,6 @@ TEST(FoxgloveReceiver, LosesNothingThatCameInAHundredDisconnections) {
     EXPECT_GE(server.connections(), 101);
 }
 
-/// What an earlier run received is gone only when something has come in its place.
-TEST(FoxgloveReceiver, ReplacesAFileByWhatComesAndByNothingElse) {
-    std::atomic<bool> speaks{false};
-    const Server server({[](Server::Socket& stream) {
-                             stream.accept();
-                             say(stream, kAdvertise);
-                             hear(stream);
-                         },
-                         [&speaks](Server::Socket& stream) {
-                             stream.accept();
-                             say(stream, kAdvertise);
-                             const std::uint32_t id = subscribed(stream);
-                             while (!speaks)
-                                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
-                             say(stream, data_frame(id, 1, "new"), true);
-                             hear(stream);
-                         }});
-    const test::TempDir folder;
-    const auto kept = folder.put("kept.mcap", "old");
-    const auto connect = [&](bool replace) {
-        return LiveSource::of_server(server.url(), folder / "kept", replace, kPatience,
-                                     [] { return true; });
-    };
-    {
-        const auto silent = connect(true);
-        EXPECT_EQ(test::content(folder / "kept.mcap.before"), "old");
-    }
-    EXPECT_EQ(test::content(kept), "old");
-    EXPECT_FALSE(std::filesystem::exists(folder / "kept.mcap.before"));
-    const auto source = connect(true);
-    EXPECT_FALSE(source->holds_something());
-    std::vector<std::string> waits_for;
-    source->wait_for_opening(kAutoFormat, {}, 1, [&](const LiveSource::Opening& now) {
-        waits_for.push_back(now.problem.english());
-        speaks = true;
-        return !source->holds_something();
-    });
-    EXPECT_THAT(waits_for.front(), HasSubstr("nothing has come yet"));
-    EXPECT_THAT(test::content(kept), HasSubstr("new"));
-    EXPECT_FALSE(std::filesystem::exists(folder / "kept.mcap.before"));
-    EXPECT_FALSE(source->give_back());
-    EXPECT_THAT(test::content(kept), HasSubstr("new"));
-}
-
 /// Whoever takes connections and drops them does not keep anybody busy, nor for ever.
 TEST(FoxgloveReceiver, GivesUpOnAServerThatNeverSaysAnything) {
     const Server server({[](Server::Socket& stream) { stream.accept(); }});

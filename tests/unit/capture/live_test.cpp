@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tours that are read while they come in.
 #include <fcntl.h>
+#include <gmock/gmock.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 
 #include "hitos/capture/file_growth.hpp"
 #include "hitos/capture/live_source.hpp"
+#include "live/received_file.hpp"
 #include "live/received_mcap.hpp"
 #include "regular_file.hpp"
 #include "unit/capture/recorded_messages.hpp"
@@ -313,6 +315,78 @@ TEST(LiveSource, TakesNoFileThatIsThereAndWaitsForNothingWhenAskedNotTo) {
     const Pipe silent;
     EXPECT_EQ(LiveSource::of_pipe(silent.ends[0], folder / "b", false, [] { return false; }),
               nullptr);
+}
+
+/// What an earlier run received is gone only when what has come in its place can be mapped.
+TEST(LiveSource, ReplacesAFileByWhatCanBeMappedAndByNothingElse) {
+    const TempDir folder;
+    const auto kept = folder.put("kept.log", "old");
+    const auto before = folder / "kept.log.before";
+    const auto came = [&](std::string_view content) {
+        Pipe pipe;
+        pipe.write(content);
+        auto source = LiveSource::of_pipe(pipe.ends[0], folder / "kept", true, [] { return true; });
+        pipe.close_writer();
+        while (source->growth()->wait_beyond(source->growth()->size())) {
+        }
+        return source;
+    };
+    {
+        const auto source = came("usage: driver [-h]\n");
+        EXPECT_THROW(source->wait_for_opening(kAutoFormat, {}, 1, [](const auto&) { return true; }),
+                     FormatError);
+        EXPECT_FALSE(source->give_back());
+    }
+    EXPECT_EQ(test::content(before), "old");
+    EXPECT_THAT(test::content(kept), testing::HasSubstr("usage"));
+    // Which the next one says.
+    Pipe pipe;
+    pipe.write("ODOM 0 0 0\n");
+    try {
+        LiveSource::of_pipe(pipe.ends[0], folder / "kept", false, [] { return true; });
+        ADD_FAILURE();
+    } catch (const FileError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("kept.log.before"));
+    }
+    std::filesystem::rename(before, kept);
+    {
+        const auto source = came(test::shipped_log("normalized.log.gz"));
+        EXPECT_EQ(test::content(before), "old");
+        // Nor does another run take its place meanwhile.
+        pipe.write("ODOM 0 0 0\n");
+        EXPECT_THROW(LiveSource::of_pipe(pipe.ends[0], folder / "kept", true, [] { return true; }),
+                     FileError);
+        source->wait_for_opening(kAutoFormat, {}, 5, [](const auto&) { return true; });
+        EXPECT_FALSE(std::filesystem::exists(before));
+    }
+    EXPECT_THAT(test::content(kept), testing::HasSubstr("LASER"));
+}
+
+TEST(ReceivedFile, GivesBackWhatWasThereWhereNothingCame) {
+    const TempDir folder;
+    const auto kept = folder.put("kept.mcap", "old");
+    {
+        ReceivedFile file(kept, true);
+        file.append(std::string("what describes it"));
+        EXPECT_EQ(test::content(folder / "kept.mcap.before"), "old");
+    }
+    EXPECT_EQ(test::content(kept), "old");
+    EXPECT_FALSE(std::filesystem::exists(folder / "kept.mcap.before"));
+    {
+        ReceivedFile file(kept, true);
+        EXPECT_TRUE(file.give_back());
+        EXPECT_FALSE(file.give_back());
+        // What somebody else has put there meanwhile is theirs.
+    }
+    EXPECT_EQ(test::content(kept), "old");
+    {
+        const ReceivedFile file(folder / "other.mcap", false);
+        std::filesystem::remove(folder / "other.mcap");
+        folder.put("other.mcap", "theirs");
+    }
+    EXPECT_EQ(test::content(folder / "other.mcap"), "theirs");
+    const ReceivedFile fresh(folder / "fresh.mcap", false);
+    EXPECT_TRUE(std::filesystem::exists(folder / "fresh.mcap"));
 }
 
 TEST(LiveSource, OpensWhenSoManyScansHaveCome) {

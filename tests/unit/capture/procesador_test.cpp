@@ -88,6 +88,23 @@ TEST(Procesador, AClockThatGoesBackIsTold) {
     EXPECT_TRUE(read_text("radish", played(20)).findings.empty());
     const std::string late = played(20) + position(118, 20) + position(120, 21);
     EXPECT_TRUE(read_text("radish", late).findings.empty());  // out of order
+    const std::string broken = played(20) + position(0, 20) + position(121, 21) + position(122, 22);
+    EXPECT_TRUE(read_text("radish", broken).findings.empty());
+    // Of scans alone, and of what is added to their times.
+    std::string set;
+    for (int i = 0; i < 40; ++i) {
+        const std::string time = std::to_string(i < 20 ? 100 + i : 90 + i);
+        set += "ODOM " + std::to_string(100 + i) + " " + std::to_string(i) + " 0 0\n";
+        set += "LASER " + time + " 2 1 0 1 1." + std::to_string(i) + "\n";
+    }
+    const auto back = [&](const ReadOptions& options) {
+        const Log log = read_text("normalized", set, options);
+        return std::ranges::count(log.findings, TourFinding::Kind::clock_back, &TourFinding::kind);
+    };
+    ReadOptions options;
+    EXPECT_EQ(back(options), 1);
+    options.scan_clock = ScanClock({{0.0, 0.0}, {19.5, 0.0}, {19.5, 10.0}});
+    EXPECT_EQ(back(options), 0);
 }
 
 /// Poses of a robot that drives a metre ahead a second; from `reset` on they begin anew at zero.

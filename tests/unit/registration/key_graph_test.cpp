@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -144,25 +145,81 @@ TEST(KeyGraph, WhoGoesTheSameWayAllDayHasNoMoreKeysToLookAt) {
 TEST(KeyGraph, WhoRestsHangsOnKeysThatStay) {
     KeyGraph graph = passages_with_a_crowd(20, 3);
     graph.edges.push_back({74, 75, {}, {}, EdgeKind::by_hand});
-    const std::size_t before = graph.edges.size();
+    graph.edges.push_back({74, 75, {}, {}, EdgeKind::scan});
+    graph.poses[74].pose.theta = 1.0;
+    graph.poses[5].pose.theta = 0.4;
+    for (PoseEdge& edge : graph.edges) {
+        if (edge.kind == EdgeKind::odometry)
+            edge.information = Eigen::Vector3d(1.0, 4.0, 9.0).asDiagonal();
+    }
     EXPECT_FALSE(graph.thin_if_many_rest());
     graph.thin_resting();
-    const auto has = [&](std::uint32_t from, std::uint32_t to, EdgeKind kind) {
-        return std::ranges::any_of(graph.edges, [&](const PoseEdge& edge) {
+    const auto count = [&](std::uint32_t from, std::uint32_t to, EdgeKind kind) {
+        return std::ranges::count_if(graph.edges, [&](const PoseEdge& edge) {
             return edge.from == from && edge.to == to && edge.kind == kind;
         });
     };
-    EXPECT_LT(graph.edges.size(), before);
-    EXPECT_FALSE(has(74, 75, EdgeKind::odometry));
-    EXPECT_TRUE(has(74, 75, EdgeKind::by_hand));
-    EXPECT_TRUE(has(5, 75, EdgeKind::loop));
-    EXPECT_TRUE(has(77, 78, EdgeKind::odometry)) << "two edges leave it open";
-    EXPECT_TRUE(has(29, 30, EdgeKind::odometry) && has(198, 199, EdgeKind::odometry));
+    EXPECT_EQ(count(74, 75, EdgeKind::odometry) + count(74, 75, EdgeKind::scan), 0);
+    EXPECT_EQ(count(74, 75, EdgeKind::by_hand), 1);
+    EXPECT_EQ(count(5, 75, EdgeKind::loop), 1);
+    EXPECT_EQ(count(29, 30, EdgeKind::odometry) + count(198, 199, EdgeKind::odometry), 2);
+    // So no direction is open, whatever scans say.
+    const auto step = std::ranges::find_if(graph.edges, [](const PoseEdge& edge) {
+        return edge.to == 75 && edge.kind == EdgeKind::odometry;
+    });
+    ASSERT_NE(step, graph.edges.end());
+    EXPECT_EQ(step->from, 5U);
+    EXPECT_NEAR(step->z.y, 0.0, 1e-12);
+    EXPECT_NEAR(step->z.theta, -0.4, 1e-12);
+    const Eigen::Vector3d along(std::cos(0.6), std::sin(0.6), 0.0);  // as seen from key 5
+    EXPECT_NEAR(along.dot(step->information * along), 1.0, 1e-9);
     for (std::uint32_t key = 1; key < 200; ++key) {
-        EXPECT_TRUE(std::ranges::any_of(graph.edges, [key](const PoseEdge& edge) {
-            return edge.to == key;
-        })) << key;
+        EXPECT_EQ(std::ranges::count_if(graph.edges,
+                                        [key](const PoseEdge& edge) {
+                                            return edge.to == key &&
+                                                   edge.kind == EdgeKind::odometry;
+                                        }),
+                  1)
+            << key;
     }
+    const std::size_t once = graph.edges.size();
+    graph.thin_resting();
+    EXPECT_EQ(graph.edges.size(), once);
+}
+
+/// A stretch that left the crowd and came back is led to, whatever rests about it.
+TEST(KeyGraph, NoStretchIsLostBetweenKeysThatRest) {
+    KeyGraph graph;
+    for (std::uint32_t key = 0; key < 400; ++key) {
+        KeyScan scan;
+        scan.travelled_m = 0.5 * key;
+        scan.variance_m2 = 1e-4;
+        const bool away = key >= 200 && key < 240;
+        graph.add({{0.5 * (key % 10), away ? 5.0 : 0.0, 0.0}, key}, scan, key >= 30 && !away);
+        if (key >= 10 && !away && key != 199 && key != 240) graph.join(key % 10, key);
+        if (key >= 60 && !away) graph.join(key - 45, key);  // one that may rest itself
+    }
+    std::vector<GraphReach> reach;
+    graph.reach(399, reach);
+    for (std::uint32_t key = 0; key < 400; ++key) {
+        EXPECT_EQ(reach[key].way_m < GraphReach::kNever, !graph.rests(key)) << key;
+    }
+    EXPECT_TRUE(graph.rests(100) && !graph.rests(199) && !graph.rests(198));
+}
+
+TEST(KeyGraph, WhoIsJoinedRestsNoMore) {
+    KeyGraph graph = passages_with_a_crowd(20, 3);
+    ASSERT_TRUE(graph.rests(75) && graph.rests(95));
+    std::vector<GraphReach> reach;
+    graph.reach(199, reach);
+    EXPECT_EQ(reach[75].way_m, GraphReach::kNever);
+    graph.join(75, 199);
+    EXPECT_FALSE(graph.rests(75));
+    graph.reach(199, reach);
+    EXPECT_NEAR(reach[75].way_m, 0.1, 1e-12);
+    graph.reach(5, reach);
+    EXPECT_NEAR(reach[75].way_m, 0.1, 1e-12);  // by the joint that it had
+    EXPECT_TRUE(graph.rests(95) && reach[95].way_m == GraphReach::kNever);
 }
 
 TEST(KeyGraph, EdgesOfWhoRestsGoByTheThousand) {

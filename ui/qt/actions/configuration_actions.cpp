@@ -300,7 +300,7 @@ bool ConfigurationActions::choose_source(Configuracion next, bool confirmed,
         const std::string world_set = brought ? next.source.world_set : source.world_set;
         next.source = source;
         next.source.world_set = world_set;
-        if (!guard_.may_begin(next, confirmed)) continue;
+        if (!(confirmed || guard_.may_begin(next))) continue;
         const TourSummary summary = dialog.summary().value_or(SourceInspection{}).tour;
         if (dialog.summary()) emit inspected(next.source, summary);
         const bool had = has_references();
@@ -423,7 +423,7 @@ bool ConfigurationActions::load_file(const QString& path, bool confirmed) {
                            tr("The run starts from the beginning."), tr("Load")})) {
         return true;  // the user's own wish, nothing to mend
     }
-    if (!guard_.may_begin(next, true)) return true;
+    if (!confirmed && guard_.ends_tour(next) && !guard_.may_leave()) return true;
     const bool had = has_references();
     if (!use(next)) return false;
     own_.clear();

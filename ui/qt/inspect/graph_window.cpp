@@ -266,6 +266,7 @@ void GraphWindow::tell_not_read(const QString& problem) {
 void GraphWindow::tell_not_solved(const QString& problem) {
     const auto graph = shown();
     const bool at_first = graph->stage == ShownGraph::Stage::read;
+    told_.clear();  // what was given up is back
     prompts_.warn(this,
                   at_first && !changes_->can_undo() ? tr("The graph was not solved")
                                                     : tr("The change was not made"),

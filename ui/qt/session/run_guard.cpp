@@ -16,15 +16,18 @@ QString guard_words(const char* text) {
 
 }  // namespace
 
-bool RunGuard::may_begin(const Configuracion& next, bool agreed) const {
+bool RunGuard::ends_tour(const Configuracion& next) const {
     const auto& tour = session_.incoming_tour();
-    if (tour && !tour->is_of(next)) return may_leave(agreed);
-    return agreed || may_discard();
+    return tour && tour->is_live() && !tour->is_of(next);
 }
 
-bool RunGuard::may_leave(bool agreed) const {
+bool RunGuard::may_begin(const Configuracion& next) const {
+    return ends_tour(next) ? may_leave() : may_discard();
+}
+
+bool RunGuard::may_leave() const {
     const auto& tour = session_.incoming_tour();
-    if (!tour || !tour->is_live()) return agreed || may_discard();
+    if (!tour || !tour->is_live()) return may_discard();
     const QString file = QString::fromStdString(tour->source().file().string());
     return prompts_.confirm(
         window_, {guard_words(QT_TRANSLATE_NOOP("RunGuard", "A tour that comes in")),

@@ -16,11 +16,12 @@ class RunGuard {
 
     /// The run begins anew. True where little would be lost, or the user agrees.
     bool may_discard() const;
-    /// Another one takes its place, of the tour that comes in or of another; `agreed` where the
-    /// user was asked already whether the run may go.
-    bool may_begin(const Configuracion& next, bool agreed = false) const;
+    /// Another one takes its place, of the tour that comes in or of another.
+    bool may_begin(const Configuracion& next) const;
     /// It goes, with the tour that comes in.
-    bool may_leave(bool agreed = false) const;
+    bool may_leave() const;
+    /// Whether another run would end a tour that comes in.
+    bool ends_tour(const Configuracion& next) const;
     /// What counts as long [s].
     void set_long_run(double seconds) { long_run_s_ = seconds; }
 
