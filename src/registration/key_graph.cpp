@@ -47,7 +47,8 @@ void KeyGraph::thin_resting() {
     constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> anchors(size(), kNone);  // of who rests, the first one
     for (const PoseEdge& edge : edges) {
-        if (edge.said() || !rests_[edge.to] || rests_[edge.from]) continue;
+        const bool seen = edge.kind == EdgeKind::scan || edge.kind == EdgeKind::loop;
+        if (!seen || !rests_[edge.to] || rests_[edge.from]) continue;
         anchors[edge.to] = std::min(anchors[edge.to], edge.from);
     }
     const auto among_resting = [&](const PoseEdge& edge) {
@@ -61,6 +62,20 @@ void KeyGraph::thin_resting() {
         edge.from = anchors[edge.to];
     }
     std::erase_if(edges, among_resting);
+}
+
+void KeyGraph::cut(std::size_t begin) {
+    if (!std::ranges::binary_search(cuts_, begin))
+        cuts_.insert(std::ranges::upper_bound(cuts_, begin), begin);
+    const auto across = [&](std::size_t a, std::size_t b) { return (a < begin) != (b < begin); };
+    std::erase_if(edges,
+                  [&](const PoseEdge& edge) { return !edge.said() && across(edge.from, edge.to); });
+    for (std::size_t key = 0; key < size(); ++key) {
+        std::erase_if(joined_[key], [&](std::uint32_t other) { return across(key, other); });
+    }
+    for (const PoseEdge& edge : edges) {
+        if (edge.from > 0 && across(edge.from, edge.to)) join(edge.from, edge.to);
+    }
 }
 
 bool KeyGraph::thin_if_many_rest() {
