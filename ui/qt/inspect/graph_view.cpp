@@ -74,16 +74,11 @@ QRectF GraphView::content() const {
     const QRectF box(point_of(bounds.low), point_of(bounds.high));
     const double more_x = std::max(0.0, kLeast - box.width()) / 2.0;
     const double more_y = std::max(0.0, kLeast - box.height()) / 2.0;
-    return with_legend(box.adjusted(-more_x, -more_y, more_x, more_y));
+    return box.adjusted(-more_x, -more_y, more_x, more_y);
 }
 
-/// Content that, fitted, leaves the strip above it free.
-QRectF GraphView::with_legend(const QRectF& box) const {
-    constexpr double kOther = 60.0;  // pixels of the height: the scale bar and margins
-    const double strip = legend(colours(), width()).height();
-    const double below = std::max(height() - strip - kOther, height() / 2.0);
-    const double pixels_per_m = std::min(width() / box.width(), below / box.height());
-    return box.adjusted(0.0, 0.0, 0.0, strip / pixels_per_m);  // y is up
+double GraphView::band_above(const QSizeF& size) const {
+    return legend(colours(), size.width()).height();
 }
 
 void GraphView::paint_scene(QPainter& painter, const Scene& scene) const {

@@ -43,6 +43,7 @@ class GraphView final : public CanvasView {
   protected:
     void paint_scene(QPainter& painter, const Scene& scene) const override;
     QRectF content() const override;
+    double band_above(const QSizeF& size) const override;
     QString file_name() const override { return QStringLiteral("graph"); }
     std::optional<ICaracteristica> landmark_below(const QPointF& /*point*/) const override {
         return std::nullopt;
@@ -55,7 +56,6 @@ class GraphView final : public CanvasView {
     std::span<const PlanarVertex> vertices() const;
     void paint_chosen(QPainter& painter, const Scene& scene) const;
     LegendStrip legend(const Colours& c, double width) const;
-    QRectF with_legend(const QRectF& box) const;
     /// As they stand in the table, the first of them.
     std::span<const GraphShape::Segment> marked() const {
         return std::span(shape().marked).first(marked_);

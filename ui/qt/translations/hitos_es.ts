@@ -3402,6 +3402,14 @@
         <source>is the address of a running robot, expected a log: hitos-cli run --follow maps what the robot sends, and keeps a log of it</source>
         <translation>es la dirección de un robot en marcha, se esperaba un registro: hitos-cli run --follow cartografía lo que envía el robot y guarda un registro de ello</translation>
     </message>
+    <message>
+        <source>is there already, of a run that was broken off; what it was to replace is %1. Say which of both is to stay by its name; --replace receives in the place of the first</source>
+        <translation>ya existe, de una ejecución interrumpida; lo que iba a sustituir es %1. Diga con su nombre cuál de los dos ha de quedar; --replace recibe en lugar del primero</translation>
+    </message>
+    <message>
+        <source>is being received into by another run; name another file, or end that one first</source>
+        <translation>otra ejecución está recibiendo en él; indique otro archivo, o termine antes aquella</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>

@@ -125,11 +125,14 @@ Camera CanvasView::fitted(const QSizeF& size) const {
     QTransform turn;
     turn.rotateRadians(camera.turn_rad);
     const QRectF turned = turn.mapRect(box);
-    const double height = std::max(size.height() - kScaleBand, size.height() / 2.0);
+    const double above = band_above(size);
+    const double height = std::max(size.height() - kScaleBand - above, size.height() / 2.0);
     camera.centre = box.center();
     camera.pixels_per_m =
         std::clamp(std::min(size.width() / turned.width(), height / turned.height()) / kMargin,
                    kLeastZoom, kGreatestZoom);
+    const QTransform back = camera.to_screen(size).inverted();
+    camera.centre += back.map(QPointF(0.0, -above / 2.0)) - back.map(QPointF());
     make_room_for_scale_bar(camera, size);
     return camera;
 }

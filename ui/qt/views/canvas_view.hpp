@@ -73,6 +73,8 @@ class CanvasView : public QWidget {
     virtual void paint_scene(QPainter& painter, const Scene& scene) const = 0;
     /// Everything worth seeing, in the view's frame [m]; null where there is nothing.
     virtual QRectF content() const = 0;
+    /// What a view of that size keeps free of it at its upper edge, when all of it is to be seen.
+    virtual double band_above(const QSizeF& /*size*/) const { return 0.0; }
     /// Pixels per metre of a whole picture at scale 1.
     virtual double whole_pixels_per_m() const { return 20.0; }
     virtual Pose pose_view_world() const { return {}; }
