@@ -198,6 +198,7 @@ void ConnectTest::nobody_leaves_a_tour_that_comes_in_unasked() {
     f.prompts.confirmed_texts.removeFirst();
     refused([] {});
     refused([&] { QVERIFY(!f.window->close()); });
+    refused([&] { f.trigger("action_lesson_1"); });
     // What begins anew on the same tour ends nothing.
     Configuracion next = f.session.configuration();
     next.filter.particles = 7;
@@ -209,10 +210,11 @@ void ConnectTest::nobody_leaves_a_tour_that_comes_in_unasked() {
     f.rest_comes();
     QTRY_VERIFY2(f.state_words().contains("stands still") || f.state_words().contains("No scan"),
                  qPrintable(f.state_words()));
-    QCOMPARE(f.prompts.confirmed_texts.size(), 3);
+    QCOMPARE(f.prompts.confirmed_texts.size(), 4);
     QVERIFY(f.session.is_live());
     f.prompts.confirms = {true};
-    QVERIFY(actions.open(other));
+    f.trigger("action_lesson_1");
+    QCOMPARE(f.prompts.confirmed_texts.size(), 5);
     QVERIFY(!f.session.is_live());
 }
 

@@ -103,7 +103,7 @@ TEST(Procesador, AClockThatGoesBackIsTold) {
     };
     ReadOptions options;
     EXPECT_EQ(back(options), 1);
-    options.scan_clock = ScanClock({{0.0, 0.0}, {19.5, 0.0}, {19.5, 10.0}});
+    options.scan_clock = "0@0,0@19.5,10@19.5";
     EXPECT_EQ(back(options), 0);
 }
 
