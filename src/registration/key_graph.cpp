@@ -79,7 +79,7 @@ void KeyGraph::cut(std::size_t begin) {
 }
 
 bool KeyGraph::thin_if_many_rest() {
-    constexpr std::size_t kMany = 1000;  // all edges are looked at for them
+    constexpr std::size_t kMany = 100;  // all edges are looked at for them
     if (rest_ < kMany) return false;
     const std::size_t before = edges.size();
     thin_resting();

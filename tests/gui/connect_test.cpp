@@ -218,6 +218,25 @@ void ConnectTest::nobody_leaves_a_tour_that_comes_in_unasked() {
     QVERIFY(!f.session.is_live());
 }
 
+void ConnectTest::what_there_is_to_doubt_is_told_after_a_restart_too() {
+    ConnectFixture f;
+    f.begin();
+    auto* said = f.window->findChild<QLabel*>("status_state");
+    f.trigger("action_stop");
+    QTRY_VERIFY2(said->text().contains("the tour goes on"), qPrintable(said->text()));
+    f.trigger("action_restart");
+    f.rest_comes();
+    f.append(f.tour.mid(f.tour.indexOf("ODOM")));  // played again
+    QVERIFY(!said->text().contains("⚠"));
+    f.trigger("action_run");
+    QTRY_COMPARE(f.steps(), 2100U);
+    QTRY_VERIFY2(said->text().contains("⚠"), qPrintable(said->text()));
+    QVERIFY2(said->toolTip().contains("goes back"), qPrintable(said->toolTip()));
+    // Who looks how it stands does not end it by the way.
+    QTest::keyClick(&f.dialog(), Qt::Key_Return);
+    QVERIFY(f.session.is_live());
+}
+
 void ConnectTest::the_beginning_is_waited_for() {
     ConnectFixture f;
     f.write("tour.log", "# nothing yet\n");

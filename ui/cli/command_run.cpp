@@ -328,7 +328,10 @@ void run(const RunOptions& options, std::optional<LiveRun>& live) {
     Report report(options.json);
     tell_summary(summary, options.out, report);
     if (summary.times) tell_times(*summary.times, summary.scans, report);
-    if (live) live->tell(report);
+    if (live) {
+        live->replace_former();
+        live->tell(report);
+    }
     if (report.is_json()) {
         report.object()["folder"] = options.out;
         if (!suited.empty()) report.object()["suited_preset"] = suited;

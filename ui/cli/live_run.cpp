@@ -202,18 +202,26 @@ std::string LiveRun::behind() const {
 
 void LiveRun::tell_early_end() {
     end();
-    if (!received_ || steps_ > 0) return;
+    if (!received_) return;
     const std::string name = on_one_line(file());
     if (!source_->holds_something()) {
         fmt::print(stderr, "nothing was received: {} is {}\n", name,
                    source_->give_back() ? "as it was before" : "removed");
-        return;
+    } else if (steps_ == 0) {
+        fmt::print(stderr,
+                   "what was received is kept in {0}: \"hitos-cli info {0}\" says what it holds, "
+                   "and \"hitos-cli run {0} --out DIR\" maps it; to receive anew say --replace, or "
+                   "another name with --received\n",
+                   name);
     }
-    fmt::print(stderr,
-               "what was received is kept in {0}: \"hitos-cli info {0}\" says what it holds, and "
-               "\"hitos-cli run {0} --out DIR\" maps it; to receive anew say --replace, or another "
-               "name with --received\n",
-               name);
+    if (const std::string former = source_->former().string(); !former.empty()) {
+        fmt::print(stderr, "what was there before is kept too: \"mv {} {}\" brings it back\n",
+                   on_one_line(former), name);
+    }
+}
+
+void LiveRun::replace_former() {
+    if (!problem()) source_->replace_former();
 }
 
 void LiveRun::tell(Report& report) const {

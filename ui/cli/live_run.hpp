@@ -63,8 +63,10 @@ class LiveRun {
     /// The same in words; empty where it is not.
     std::string behind() const;
     void tell(Report& report) const;
-    /// Where the run has failed before it took a scan: what becomes of what was received. It is no
-    /// longer waited for more.
+    /// There are results of all that was to come: what it was to replace goes.
+    void replace_former();
+    /// Where the run has failed: what becomes of what was received, and of what that was to
+    /// replace. It is no longer waited for more.
     void tell_early_end();
     /// Why the tour ended before its time; nothing where it did not.
     std::optional<FileError> problem() const { return source_->problem(); }

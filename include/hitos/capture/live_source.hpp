@@ -55,8 +55,7 @@ class LiveSource {
     /// Keeps all that comes through the descriptor, which is not closed, in a new file: `name` with
     /// the ending .mcap where that is what comes, else .log. It is over where the other end closes.
     /// Waits for the first byte. Null where that never comes. Throws FileError where the file is
-    /// there already, unless it is to be replaced as soon as what comes can be mapped, or cannot be
-    /// written.
+    /// there already, unless it is to be replaced, or cannot be written.
     static std::unique_ptr<LiveSource> of_pipe(int descriptor, const std::filesystem::path& name,
                                                bool replace, const GoesOn& goes_on);
     /// Keeps what a server of the Foxglove WebSocket protocol ("ws://HOST:PORT") tells of lasers,
@@ -97,6 +96,10 @@ class LiveSource {
     /// Where it has not the file goes again, and one that it was to replace is back, which is told.
     /// So it is at the end where nobody asks for it.
     bool give_back();
+    /// The one that it was to replace, which stands beside it until replace_former() says that what
+    /// came is worth more; empty where there is none.
+    std::filesystem::path former() const;
+    void replace_former();
     /// No more is waited for: the tour is what has come by now.
     void end();
     /// What a server offers, with how many messages have come; nothing where none is asked.

@@ -89,6 +89,14 @@ bool LiveSource::holds_something() const {
     return !received_ || received_->holds_something();
 }
 
+void LiveSource::replace_former() {
+    if (received_) received_->replace();
+}
+
+std::filesystem::path LiveSource::former() const {
+    return received_ ? received_->former() : std::filesystem::path();
+}
+
 bool LiveSource::give_back() {
     end();
     return received_ && received_->give_back();
@@ -225,7 +233,6 @@ std::optional<LiveSource::Opening> LiveSource::wait_for_opening(
                                                                  : options.odom_topic.empty();
             }
         }
-        if (received_ && opening.scans > 0) received_->replace();
         if (!told(opening)) return std::nullopt;
         if (over && failure) std::rethrow_exception(failure);  // else more may make sense of it
         if (over || opening.scans >= scans) return opening;

@@ -22,14 +22,26 @@ constexpr const char* kCannotBeMade =
 
 constexpr const char* kFormer = ".before";
 
-/// Who receives into a file holds it for itself alone.
-bool is_locked(const std::filesystem::path& file) {
-    const int there = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-    if (there < 0) return false;
-    const bool locked = ::flock(there, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    ::close(there);
-    return locked;
-}
+/// An open file, which its program holds for itself alone.
+class Held {
+  public:
+    explicit Held(const std::filesystem::path& file)
+        : descriptor_(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC)) {
+        free_ =
+            descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+    }
+    ~Held() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
+    Held(const Held&) = delete;
+    Held& operator=(const Held&) = delete;
+    /// Nobody else held it.
+    bool free() const { return free_; }
+
+  private:
+    int descriptor_;
+    bool free_ = true;
+};
 
 /// Beside the file, and free: what a run that was killed has left there is not lost either.
 std::filesystem::path name_of_former(const std::filesystem::path& file) {
@@ -48,11 +60,21 @@ std::filesystem::path name_of_former(const std::filesystem::path& file) {
 }  // namespace
 
 ReceivedFile::ReceivedFile(std::filesystem::path file, bool replace) : file_(std::move(file)) {
+    const auto in_use = [this] {
+        return FileError(file_.string(),
+                         HITOS_TEXT("Errors",
+                                    "is being received into by another run; name another file, or "
+                                    "end that one first"));
+    };
     const auto open = [&] {
         descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC,
                              S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH);
-        if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX | LOCK_NB);
-        return descriptor_ >= 0;
+        if (descriptor_ < 0) return false;
+        // Another run may have come in between, and taken it for an old one.
+        const bool held = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+        if (held && is_at_its_name()) return true;
+        ::close(descriptor_);
+        throw in_use();
     };
     if (open()) return;
     if (errno != EEXIST) throw FileError(file_.string(), kCannotBeMade, system_message(errno));
@@ -73,13 +95,14 @@ ReceivedFile::ReceivedFile(std::filesystem::path file, bool replace) : file_(std
                                      "--replace receives in the place of the first"),
                           before.string()));
     }
-    if (is_locked(file_)) {
-        throw FileError(file_.string(),
-                        HITOS_TEXT("Errors",
-                                   "is being received into by another run; name another file, or "
-                                   "end that one first"));
-    }
     std::error_code failed;
+    if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file_, failed))) {
+        throw FileError(file_.string(), HITOS_TEXT("Errors",
+                                                   "is no file that can be replaced; name another "
+                                                   "one"));
+    }
+    const Held former(file_);  // while it goes
+    if (!former.free()) throw in_use();
     std::filesystem::rename(file_, before_, failed);
     if (failed) throw FileError(file_.string(), kCannotBeMade, failed.message());
     if (open()) return;
@@ -133,7 +156,13 @@ bool ReceivedFile::give_back() {
         return false;
     }
     std::filesystem::rename(before_, file_, failed);
+    if (!failed) before_.clear();
     return !failed;
+}
+
+std::filesystem::path ReceivedFile::former() const {
+    const std::scoped_lock lock(mutex_);
+    return before_;
 }
 
 }  // namespace hitos

@@ -10,8 +10,7 @@
 namespace hitos {
 
 /// It grows from the first moment on, so that readers can follow it. One that was there already
-/// stands beside it as NAME.before until what comes can be mapped: whatever happens before, it is
-/// not lost.
+/// stands beside it as NAME.before until its owner says that what came is worth more.
 class ReceivedFile {
   public:
     /// Throws FileError where the file is there already, unless it is to be replaced, where another
@@ -28,8 +27,10 @@ class ReceivedFile {
     /// Something has come that is worth to be kept.
     void note_something() { something_ = true; }
     bool holds_something() const { return something_; }
-    /// It can be mapped: what was there before goes.
+    /// What has come is worth more than what was there before, which goes.
     void replace();
+    /// What was there before, as long as it stands beside; else empty.
+    std::filesystem::path former() const;
     /// What the destructor does, at once; whether what was there before is back.
     bool give_back();
 
@@ -37,7 +38,7 @@ class ReceivedFile {
     bool is_at_its_name() const;
 
     std::filesystem::path file_;
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::filesystem::path before_;  ///< where it is meanwhile; empty where there is none
     std::atomic<bool> something_ = false;
     bool given_back_ = false;

@@ -2,6 +2,7 @@
 // Tours that are read while they come in.
 #include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -317,8 +318,8 @@ TEST(LiveSource, TakesNoFileThatIsThereAndWaitsForNothingWhenAskedNotTo) {
               nullptr);
 }
 
-/// What an earlier run received is gone only when what has come in its place can be mapped.
-TEST(LiveSource, ReplacesAFileByWhatCanBeMappedAndByNothingElse) {
+/// What an earlier run received is gone only when somebody has more of what came in its place.
+TEST(LiveSource, KeepsWhatItIsToReplaceUntilItIsTold) {
     const TempDir folder;
     const auto kept = folder.put("kept.log", "old");
     const auto before = folder / "kept.log.before";
@@ -357,9 +358,25 @@ TEST(LiveSource, ReplacesAFileByWhatCanBeMappedAndByNothingElse) {
         EXPECT_THROW(LiveSource::of_pipe(pipe.ends[0], folder / "kept", true, [] { return true; }),
                      FileError);
         source->wait_for_opening(kAutoFormat, {}, 5, [](const auto&) { return true; });
+        EXPECT_EQ(source->former(), before);
+        source->replace_former();
         EXPECT_FALSE(std::filesystem::exists(before));
+        EXPECT_EQ(source->former(), "");
     }
     EXPECT_THAT(test::content(kept), testing::HasSubstr("LASER"));
+    // What is no file stays what it is.
+    std::filesystem::create_symlink(kept, folder / "link.log");
+    std::filesystem::create_directory(folder / "folder.log");
+    ASSERT_EQ(::mkfifo((folder / "fifo.log").c_str(), S_IRUSR | S_IWUSR), 0);
+    for (const char* name : {"link", "folder", "fifo"}) {
+        const auto status = std::filesystem::symlink_status(folder / (name + std::string(".log")));
+        pipe.write("ODOM 0 0 0\n");
+        EXPECT_THROW(LiveSource::of_pipe(pipe.ends[0], folder / name, true, [] { return true; }),
+                     FileError)
+            << name;
+        EXPECT_EQ(std::filesystem::symlink_status(folder / (name + std::string(".log"))).type(),
+                  status.type());
+    }
 }
 
 TEST(ReceivedFile, GivesBackWhatWasThereWhereNothingCame) {

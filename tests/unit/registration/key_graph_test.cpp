@@ -197,14 +197,15 @@ TEST(KeyGraph, NoStretchIsLostBetweenKeysThatRest) {
         const bool away = key >= 200 && key < 240;
         graph.add({{0.5 * (key % 10), away ? 5.0 : 0.0, 0.0}, key}, scan, key >= 30 && !away);
         if (key >= 10 && !away && key != 199 && key != 240) graph.join(key % 10, key);
-        if (key >= 60 && !away) graph.join(key - 45, key);  // one that may rest itself
+        if (key >= 40 && !away) graph.join(key - 25, key);  // one that may rest itself
     }
     std::vector<GraphReach> reach;
     graph.reach(399, reach);
     for (std::uint32_t key = 0; key < 400; ++key) {
         EXPECT_EQ(reach[key].way_m < GraphReach::kNever, !graph.rests(key)) << key;
     }
-    EXPECT_TRUE(graph.rests(100) && !graph.rests(199) && !graph.rests(198));
+    EXPECT_TRUE(graph.rests(100));
+    EXPECT_FALSE(graph.rests(198) || graph.rests(199));
 }
 
 TEST(KeyGraph, WhoIsJoinedRestsNoMore) {
@@ -222,11 +223,11 @@ TEST(KeyGraph, WhoIsJoinedRestsNoMore) {
     EXPECT_TRUE(graph.rests(95) && reach[95].way_m == GraphReach::kNever);
 }
 
-TEST(KeyGraph, EdgesOfWhoRestsGoByTheThousand) {
-    KeyGraph graph = passages_with_a_crowd(120, 3);
+TEST(KeyGraph, EdgesOfWhoRestsGoByTheHundred) {
+    KeyGraph graph = passages_with_a_crowd(30, 3);
     EXPECT_TRUE(graph.thin_if_many_rest());
     EXPECT_FALSE(graph.thin_if_many_rest());
-    KeyGraph at_once = passages_with_a_crowd(120, 3);
+    KeyGraph at_once = passages_with_a_crowd(30, 3);
     at_once.thin_resting();
     EXPECT_EQ(graph.edges.size(), at_once.edges.size());
 }

@@ -181,7 +181,9 @@ void StatusLine::refresh() {
     } else if (p.state == State::paused) {
         const auto& tour = session_.incoming_tour();
         const bool lost = tour && session_.is_live() && !tour->source().link().connected;
-        state_->setText(lost ? tr("Stopped, connection lost") : tr("Stopped"));
+        state_->setText(lost                         ? tr("Stopped, connection lost")
+                        : tour && session_.is_live() ? tr("Stopped, the tour goes on")
+                                                     : tr("Stopped"));
     } else if (p.state == State::finished) {
         state_->setText(tr("End of the log"));
     } else {

@@ -71,7 +71,7 @@ ConnectDialog::ConnectDialog(Connection& connection, Session& session, UserFiles
     column->addLayout(form);
     auto* row = new QHBoxLayout;
     act_->setObjectName("connect_act");
-    act_->setDefault(true);
+    act_->setAutoDefault(false);
     row->addWidget(act_);
     state_->setObjectName("connect_state");
     state_->setWordWrap(true);
@@ -94,6 +94,7 @@ ConnectDialog::ConnectDialog(Connection& connection, Session& session, UserFiles
     said_->setMaximumBlockCount(500);
     column->addWidget(said_, 1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    close_ = buttons->button(QDialogButtonBox::Close);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::hide);
     connect(browse_, &QPushButton::clicked, this, &ConnectDialog::browse);
@@ -187,6 +188,9 @@ void ConnectDialog::refresh() {
     file_->setEnabled(!active && server);
     browse_->setEnabled(!active && server);
     act_->setText(active ? tr("Disconnect") : tr("Connect"));
+    // Who looks how it stands does not end it by the way.
+    if (active && act_->isDefault() && act_->hasFocus()) close_->setFocus();
+    (active ? close_ : act_)->setDefault(true);
     act_->setEnabled(active || !address_->text().trimmed().isEmpty());
     state_->setText(state_words());
     set_look(*state_, "role", state_role());

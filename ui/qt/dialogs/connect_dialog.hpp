@@ -47,6 +47,7 @@ class ConnectDialog final : public QDialog {
     QLineEdit* file_;
     QPushButton* browse_;
     QPushButton* act_;
+    QPushButton* close_ = nullptr;
     QLabel* state_;
     TopicList* topics_;
     QLabel* came_;

@@ -176,6 +176,7 @@ void Connection::open(const std::shared_ptr<Attempt>& attempt, const Wish& wish)
 
 void Connection::take(const std::shared_ptr<LiveSource>& source, const SourceParams& how) {
     attempt_ = nullptr;
+    source->replace_former();
     state_ = State::live;
     file_ = QString::fromStdString(how.file);
     tour_ = std::make_shared<IncomingTour>(source, [bell = bell_] { bell->ring(); });

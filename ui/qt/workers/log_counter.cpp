@@ -8,9 +8,17 @@
 #include "session/background.hpp"
 
 namespace hitos::window {
+namespace {
+
+constexpr int kAgainMs = 100;
+
+}  // namespace
 
 LogCounter::LogCounter(Session& session, QObject* parent) : QObject(parent), session_(session) {
     pool_.setMaxThreadCount(1);
+    again_.setSingleShot(true);
+    again_.setInterval(kAgainMs);
+    connect(&again_, &QTimer::timeout, this, &LogCounter::look);
     connect(&session, &Session::configuration_changed, this, &LogCounter::begin);
     connect(&session, &Session::progress_changed, this, &LogCounter::look);
     connect(&session, &Session::leaving, this, [this] { live_.reset(); });  // with its worker
@@ -69,6 +77,7 @@ void LogCounter::look() {
         return;
     }
     const std::vector<TourFinding> fresh = live_->look(*session_.worker());
+    if (live_->awaits()) again_.start();  // also where no scan comes any more
     if (fresh.empty()) return;
     told_.insert(told_.end(), fresh.begin(), fresh.end());
     emit doubted(told_);

@@ -5,6 +5,7 @@
 
 #include <QObject>
 #include <QThreadPool>
+#include <QTimer>
 #include <atomic>
 #include <memory>
 #include <optional>
@@ -52,6 +53,7 @@ class LogCounter final : public QObject {
     bool busy_ = false;
     std::optional<LiveDoubts> live_;  ///< while a tour comes in
     std::vector<TourFinding> told_;   ///< of it
+    QTimer again_;
     Stop stop_;
     QThreadPool pool_;
 };

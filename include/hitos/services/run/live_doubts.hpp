@@ -20,6 +20,8 @@ class LiveDoubts {
   public:
     /// What was not told before; to be called over and over.
     std::vector<TourFinding> look(RunWorker& run);
+    /// An answer is on its way, which the next look() may have.
+    bool awaits() const { return looking_.valid() || weighing_.valid(); }
 
   private:
     /// Both as they were at one moment; nothing where the tour is not examined.
