@@ -346,7 +346,7 @@ void ConnectTest::a_robot_is_mapped_lost_and_let_go() {
     auto* said = f.window->findChild<QLabel*>("status_state");
     QTRY_VERIFY2(said->text().startsWith("Connection lost"), qPrintable(said->text()));
     auto* topics = f.dialog().findChild<QTreeWidget*>("connect_topics");
-    QCOMPARE(topics->findItems("/scan", Qt::MatchExactly).value(0)->text(3), QString("60"));
+    QTRY_COMPARE(topics->findItems("/scan", Qt::MatchExactly).value(0)->text(3), QString("60"));
     QVERIFY(f.state_words().contains("lost"));
     f.act()->click();
     QTRY_VERIFY(f.state() == Progress::State::finished && f.shows_everything());

@@ -3410,6 +3410,10 @@
         <source>is being received into by another run; name another file, or end that one first</source>
         <translation>otra ejecución está recibiendo en él; indique otro archivo, o termine antes aquella</translation>
     </message>
+    <message>
+        <source>is no file that can be replaced; name another one</source>
+        <translation>no es un archivo que se pueda sustituir; indique otro</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -9203,6 +9207,10 @@
     <message>
         <source>Stopped, connection lost</source>
         <translation>Detenido, conexión perdida</translation>
+    </message>
+    <message>
+        <source>Stopped, the tour goes on</source>
+        <translation>Parado, el recorrido sigue</translation>
     </message>
 </context>
 <context>
