@@ -42,7 +42,7 @@ void KeyGraph::rest(std::size_t key) {
     for (const std::uint32_t other : joined_[key]) std::erase(joined_[other], key);
 }
 
-void KeyGraph::thin_resting() {
+bool KeyGraph::thin_resting() {
     rest_ = 0;
     constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> anchors(size(), kNone);  // of who rests, the first one
@@ -54,14 +54,16 @@ void KeyGraph::thin_resting() {
     const auto among_resting = [&](const PoseEdge& edge) {
         return !edge.said() && rests_[edge.to] && rests_[edge.from] && anchors[edge.to] != kNone;
     };
+    bool changed = false;
     for (PoseEdge& edge : edges) {
         if (edge.kind != EdgeKind::odometry || !among_resting(edge)) continue;
+        changed = true;
         const Pose& anchor = poses[anchors[edge.to]].pose;
         edge.information = turned(edge.information, poses[edge.from].pose.theta - anchor.theta);
         edge.z = between(anchor, poses[edge.to].pose);
         edge.from = anchors[edge.to];
     }
-    std::erase_if(edges, among_resting);
+    return std::erase_if(edges, among_resting) > 0 || changed;
 }
 
 void KeyGraph::cut(std::size_t begin) {
@@ -80,10 +82,7 @@ void KeyGraph::cut(std::size_t begin) {
 
 bool KeyGraph::thin_if_many_rest() {
     constexpr std::size_t kMany = 100;  // all edges are looked at for them
-    if (rest_ < kMany) return false;
-    const std::size_t before = edges.size();
-    thin_resting();
-    return edges.size() < before;
+    return rest_ >= kMany && thin_resting();
 }
 
 void KeyGraph::wake(std::size_t key) {

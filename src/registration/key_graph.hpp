@@ -57,8 +57,9 @@ class KeyGraph {
     /// A key that rests and has an edge from one that does not loses those from others that rest:
     /// it hangs on keys that stay, and costs a solution next to nothing. Its step by the odometry
     /// becomes one from the first of these to where it lies, as sure as the step was.
-    void thin_resting();
-    /// The same where many have come to rest since; whether any edge has gone.
+    /// Whether any edge is another.
+    bool thin_resting();
+    /// The same where many have come to rest since.
     bool thin_if_many_rest();
     /// Cuts the tour before a key: no edge but those by hand stays between the keys before it and
     /// the others, until one joins them.

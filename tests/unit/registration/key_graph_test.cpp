@@ -143,7 +143,7 @@ TEST(KeyGraph, WhoGoesTheSameWayAllDayHasNoMoreKeysToLookAt) {
 }
 
 TEST(KeyGraph, WhoRestsHangsOnKeysThatStay) {
-    KeyGraph graph = passages_with_a_crowd(20, 3);
+    KeyGraph graph = passages_with_a_crowd(12, 3);
     graph.edges.push_back({74, 75, {}, {}, EdgeKind::by_hand});
     graph.edges.push_back({74, 75, {}, {}, EdgeKind::scan});
     graph.poses[74].pose.theta = 1.0;
@@ -153,7 +153,7 @@ TEST(KeyGraph, WhoRestsHangsOnKeysThatStay) {
             edge.information = Eigen::Vector3d(1.0, 4.0, 9.0).asDiagonal();
     }
     EXPECT_FALSE(graph.thin_if_many_rest());
-    graph.thin_resting();
+    EXPECT_TRUE(graph.thin_resting());
     const auto count = [&](std::uint32_t from, std::uint32_t to, EdgeKind kind) {
         return std::ranges::count_if(graph.edges, [&](const PoseEdge& edge) {
             return edge.from == from && edge.to == to && edge.kind == kind;
@@ -162,7 +162,7 @@ TEST(KeyGraph, WhoRestsHangsOnKeysThatStay) {
     EXPECT_EQ(count(74, 75, EdgeKind::odometry) + count(74, 75, EdgeKind::scan), 0);
     EXPECT_EQ(count(74, 75, EdgeKind::by_hand), 1);
     EXPECT_EQ(count(5, 75, EdgeKind::loop), 1);
-    EXPECT_EQ(count(29, 30, EdgeKind::odometry) + count(198, 199, EdgeKind::odometry), 2);
+    EXPECT_EQ(count(29, 30, EdgeKind::odometry) + count(118, 119, EdgeKind::odometry), 2);
     // So no direction is open, whatever scans say.
     const auto step = std::ranges::find_if(graph.edges, [](const PoseEdge& edge) {
         return edge.to == 75 && edge.kind == EdgeKind::odometry;
@@ -173,7 +173,7 @@ TEST(KeyGraph, WhoRestsHangsOnKeysThatStay) {
     EXPECT_NEAR(step->z.theta, -0.4, 1e-12);
     const Eigen::Vector3d along(std::cos(0.6), std::sin(0.6), 0.0);  // as seen from key 5
     EXPECT_NEAR(along.dot(step->information * along), 1.0, 1e-9);
-    for (std::uint32_t key = 1; key < 200; ++key) {
+    for (std::uint32_t key = 1; key < 120; ++key) {
         EXPECT_EQ(std::ranges::count_if(graph.edges,
                                         [key](const PoseEdge& edge) {
                                             return edge.to == key &&
@@ -183,7 +183,7 @@ TEST(KeyGraph, WhoRestsHangsOnKeysThatStay) {
             << key;
     }
     const std::size_t once = graph.edges.size();
-    graph.thin_resting();
+    EXPECT_FALSE(graph.thin_resting());
     EXPECT_EQ(graph.edges.size(), once);
 }
 

@@ -14,8 +14,8 @@
 
 namespace hitos {
 
-/// Looks at the tour's examination after 100 scans, 200, 400 and so on. The run waits for nobody,
-/// and nobody for it.
+/// Looks at the tour's examination after 100 scans, 200, 400 and so on, and where the run stands
+/// still a quarter further. The run waits for nobody, and nobody for it.
 class LiveDoubts {
   public:
     /// What was not told before; to be called over and over.
@@ -24,6 +24,7 @@ class LiveDoubts {
     bool awaits() const { return looking_.valid() || weighing_.valid(); }
 
   private:
+    bool is_due(const Progress& progress) const;
     /// Both as they were at one moment; nothing where the tour is not examined.
     using Evidence = std::pair<std::optional<TourExamination>, std::vector<TourFinding>>;
 
