@@ -325,9 +325,11 @@ TEST(LiveSource, KeepsWhatItIsToReplaceUntilItIsTold) {
     const auto before = folder / "kept.log.before";
     const auto came = [&](std::string_view content) {
         Pipe pipe;
-        pipe.write(content);
+        const std::jthread writer([&pipe, content] {
+            pipe.write(content);
+            pipe.close_writer();
+        });
         auto source = LiveSource::of_pipe(pipe.ends[0], folder / "kept", true, [] { return true; });
-        pipe.close_writer();
         while (source->growth()->wait_beyond(source->growth()->size())) {
         }
         return source;
