@@ -22,6 +22,8 @@ ReadOptions without_look_ahead(ReadOptions options) {
 }
 
 constexpr double kRepairStep = 1e-3;
+/// Of a line that is a scan's too: that one's stamp is told.
+constexpr std::uint64_t kTold = 0;
 
 void scale(OdometryRecord& record, double factor) {
     if (record.pose_odom_robot) {
@@ -37,6 +39,27 @@ void scale(OdometryRecord& record, double factor) {
 void turn(Twist& twist, double factor) {
     twist.w *= factor;
     if (factor < 0.0) twist.v_lateral = -twist.v_lateral;
+}
+
+/// Of scans and of odometry.
+void tell_return(const StampReturns& of_scans, const StampReturns& of_odometry,
+                 const ReadReport& report, std::vector<TourFinding>& found) {
+    const bool scans =
+        of_scans.rare() && (!of_odometry.rare() || of_scans.most_s > of_odometry.most_s);
+    const StampReturns& returns = scans ? of_scans : of_odometry;
+    if (!returns.rare()) return;
+    found.push_back(
+        {TourFinding::Kind::clock_back,
+         returns.most_s,
+         message(HITOS_TEXT("Errors",
+                            "the clock goes back, at %1 s by %2 s: a recording that was played "
+                            "again, or a clock that was set; scans behind that are taken to be of "
+                            "times that were, and lie anywhere (%3)"),
+                 fmt::format("{:.1f}", returns.at_s), fmt::format("{:.1f}", returns.most_s),
+                 report.place(returns.line)),
+         {{marked(HITOS_TEXT("Errors",
+                             "record or play the tour once; of a log that goes back, make a log of "
+                             "each part, and go on with the map of the first"))}}});
 }
 
 }  // namespace
@@ -73,6 +96,8 @@ void Procesador::restart() {
     track_.reset();
     sweeps_ = {};
     scan_returns_ = odometry_returns_ = {};
+    scans_ = {};
+    records_ = {};
     clock_ = ScanClock(options_.scan_clock);
     axes_ = OdometryAxes(options_.odometry_axes);
     steps_ = {};
@@ -111,60 +136,59 @@ void Procesador::collect_damage() {
     }
 }
 
-std::optional<Scan> Procesador::next_scan() {
+std::optional<Scan> Procesador::read_scan() {
     for (;;) {
+        std::optional<Scan> next = scans_.take(
+            [this](std::uint64_t line, Message reason) { note_damage(line, std::move(reason)); });
+        if (next || scans_.ended()) return next;
         const std::optional<RawLine> line = fuente_->read_scan_line();
         collect_damage();
         try {
             std::optional<Scan> scan =
                 line ? conversor_scans_->scan(*line) : conversor_scans_->last_scan();
-            if (!scan && !line) return std::nullopt;
-            if (!scan) continue;
-            if (last_scan_ && last_scan_->time_s == scan->time_s &&
-                last_scan_->points == scan->points && last_scan_->rays == scan->rays &&
-                last_scan_->run_starts == scan->run_starts &&
-                last_scan_->landmarks == scan->landmarks) {
-                ++report_.duplicate_scans;
-                continue;
+            if (scan) {
+                const double time_s = scan->time_s;
+                const std::uint64_t number = scan->line;
+                scans_.add(time_s, number, *std::move(scan));
+            } else if (!line) {
+                scans_.end();
             }
-            last_scan_ = *scan;
-            const double late_s = options_.scan_delay_s + clock_.added(scan->time_s);
-            if (late_s != 0.0) {
-                const double logged_s = scan->time_s;
-                scan->time_s += late_s;
-                scan->delay_s = scan->time_s - logged_s;
-                scan->carries_odometry = false;
-            }
-            scan_returns_.note(scan->time_s);
-            if (is_early(*scan)) {
-                if (options_.leave_out_early_scans) {
-                    ++report_.early_scans_left_out;
-                    continue;
-                }
-                ++report_.early_scans;
-            }
-            if (options_.mend != Mend::nothing && !scan->times_s.empty()) mend(*scan);
-            ++report_.scans;
-            return scan;
         } catch (const FormatError& error) {
             note_damage(line ? line->number : 0, error.problem());
         }
     }
 }
 
-void Procesador::Returns::note(double time_s) {
-    constexpr double kLate = 2.0;  // [s]: less is out of order
-    // Of the stamp before this one, where this one does not go ahead again.
-    const double back_s = ++stamps > 2 ? before_s - last_s : 0.0;
-    if (back_s > kLate && before_s - time_s > kLate) {
-        ++count;
-        if (back_s > most_s) {
-            most_s = back_s;
-            at_s = before_s;
+std::optional<Scan> Procesador::next_scan() {
+    while (std::optional<Scan> scan = read_scan()) {
+        if (last_scan_ && last_scan_->time_s == scan->time_s &&
+            last_scan_->points == scan->points && last_scan_->rays == scan->rays &&
+            last_scan_->run_starts == scan->run_starts &&
+            last_scan_->landmarks == scan->landmarks) {
+            ++report_.duplicate_scans;
+            continue;
         }
+        last_scan_ = *scan;
+        const double late_s = options_.scan_delay_s + clock_.added(scan->time_s);
+        if (late_s != 0.0) {
+            const double logged_s = scan->time_s;
+            scan->time_s += late_s;
+            scan->delay_s = scan->time_s - logged_s;
+            scan->carries_odometry = false;
+        }
+        scan_returns_.note(scan->time_s, scan->line);
+        if (is_early(*scan)) {
+            if (options_.leave_out_early_scans) {
+                ++report_.early_scans_left_out;
+                continue;
+            }
+            ++report_.early_scans;
+        }
+        if (options_.mend != Mend::nothing && !scan->times_s.empty()) mend(*scan);
+        ++report_.scans;
+        return scan;
     }
-    before_s = last_s;
-    last_s = time_s;
+    return std::nullopt;
 }
 
 void Procesador::mend(Scan& scan) {
@@ -196,21 +220,6 @@ void Procesador::mend(Scan& scan) {
     unwarp(scan, *track_);
 }
 
-void Procesador::tell_return(const Returns& returns, std::vector<TourFinding>& found) const {
-    if (!returns.rare()) return;
-    found.push_back(
-        {TourFinding::Kind::clock_back,
-         returns.most_s,
-         message(HITOS_TEXT("Errors",
-                            "the clock goes back, at %1 s by %2 s: a recording that was played "
-                            "again, or a clock that was set; scans behind that are taken to be of "
-                            "times that were, and lie anywhere"),
-                 fmt::format("{:.1f}", returns.at_s), fmt::format("{:.1f}", returns.most_s)),
-         {{marked(HITOS_TEXT("Errors",
-                             "record or play the tour once; of a log that goes back, make a log of "
-                             "each part, and go on with the map of the first"))}}});
-}
-
 std::vector<TourFinding> Procesador::findings() const {
     std::vector<TourFinding> found;
     try {
@@ -229,9 +238,7 @@ std::vector<TourFinding> Procesador::findings() const {
                                  "let the driver say how long it takes from one ray to the next "
                                  "(time_increment)"))}}});
     }
-    const bool scans = scan_returns_.rare() && (!odometry_returns_.rare() ||
-                                                scan_returns_.most_s > odometry_returns_.most_s);
-    tell_return(scans ? scan_returns_ : odometry_returns_, found);
+    tell_return(scan_returns_, odometry_returns_, report_, found);
     steps_.tell(found, options_);
     const auto still = [&](OdometryFrom asked, Message what, Remedy remedy) {
         if (options_.odometry != asked || report_.odometry < 2) return;
@@ -286,30 +293,45 @@ bool Procesador::is_early(const Scan& scan) {
     return odometry_begin_s_ && scan.time_s < *odometry_begin_s_;
 }
 
-std::optional<Odometria> Procesador::next_odometry() {
-    // Live, who has none at first has none: it would be waited for to the tour's end.
-    if (options_.opening_bytes > 0 && !has_odometry()) return std::nullopt;
+std::optional<OdometryRecord> Procesador::read_odometry() {
     for (;;) {
+        std::optional<OdometryRecord> next =
+            records_.take([this](std::uint64_t line, Message reason) {
+                if (line != kTold) note_damage(line, std::move(reason));
+            });
+        if (next || records_.ended()) return next;
         const std::optional<RawLine> line = fuente_->read_odometry_line();
         collect_damage();
-        if (!line) return std::nullopt;
+        if (!line) {
+            records_.end();
+            continue;
+        }
         try {
-            std::optional<OdometryRecord> record = conversor_odometry_->odometry(*line);
-            if (!record) continue;
-            if (record->pose_odom_robot)
-                record->pose_odom_robot = axes_.taken(*record->pose_odom_robot);
-            scale(*record, options_.odometry_scale);  // leaps are those of metres
-            const bool by_pose =
-                record->pose_odom_robot && options_.odometry != OdometryFrom::velocities;
-            note_motion(*record);
-            odometry_returns_.note(record->time_s);
-            const std::optional<Odometria> reading =
-                by_pose ? from_pose(*record) : from_velocity(*record);
-            if (reading) return reading;
+            if (std::optional<OdometryRecord> record = conversor_odometry_->odometry(*line)) {
+                records_.add(record->time_s, line->shared ? kTold : line->number, *record);
+            }
         } catch (const FormatError& error) {
             if (!line->shared) note_damage(line->number, error.problem());
         }
     }
+}
+
+std::optional<Odometria> Procesador::next_odometry() {
+    // Live, who has none at first has none: it would be waited for to the tour's end.
+    if (options_.opening_bytes > 0 && !has_odometry()) return std::nullopt;
+    while (std::optional<OdometryRecord> record = read_odometry()) {
+        if (record->pose_odom_robot)
+            record->pose_odom_robot = axes_.taken(*record->pose_odom_robot);
+        scale(*record, options_.odometry_scale);  // leaps are those of metres
+        const bool by_pose =
+            record->pose_odom_robot && options_.odometry != OdometryFrom::velocities;
+        note_motion(*record);
+        odometry_returns_.note(record->time_s, record->line);
+        const std::optional<Odometria> reading =
+            by_pose ? from_pose(*record) : from_velocity(*record);
+        if (reading) return reading;
+    }
+    return std::nullopt;
 }
 
 /// Rounding is no motion.

@@ -342,6 +342,14 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
     }
     if (holds(own, Kind::clock_set))  // of the scans alone, and with a remedy
         std::erase_if(told, [](const auto& finding) { return finding.kind == Kind::clock_back; });
+    if (holds(told, Kind::clock_back)) {
+        // Where a log is two, what odometry and scans say of each other is of neither.
+        const auto of_both = [](const TourFinding& finding) {
+            return finding.kind == Kind::coarse_stamps || finding.kind == Kind::leaping_odometry;
+        };
+        std::erase_if(own, of_both);
+        std::erase_if(told, of_both);
+    }
     if (own.empty() && told.empty()) doubt_whole(own);
     if (own.empty() && told.empty()) doubt_motion(own);
     std::erase_if(told, [&](const TourFinding& finding) {

@@ -60,14 +60,17 @@ Pose nearest_arc(const std::function<double(const Pose&)>& fit, const Pose& step
 
 std::vector<TourExamination::Motion> TourExamination::motions() const {
     constexpr std::size_t kAsked = 128;
-    constexpr Hypothesis kNear{.near_m = 0.04, .near_per_range = 0.01};
+    constexpr double kPerRange = 0.01;
+    // Between rays that lie far apart a wall's distance is not known better.
+    const Hypothesis near{.near_m = 0.04,
+                          .near_per_range = std::max(kPerRange, std::abs(fan_.step_rad()) / 2.0)};
     std::vector<Motion> all;
     for (const Pair* pair : some_pairs(kAsked)) {
         const std::optional<Pose> told = step_of(*pair, {});
         if (!told) continue;
         all.push_back({*told, nearest_arc(
                                   [&](const Pose& other) {
-                                      return agreement(*pair, other, kNear, {}).value_or(0.0);
+                                      return agreement(*pair, other, near, {}).value_or(0.0);
                                   },
                                   *told)});
     }

@@ -6,9 +6,13 @@
 
 namespace hitos {
 
+Message ReadReport::place(std::uint64_t line) const {
+    return of_recording ? message(HITOS_TEXT("Errors", "message %1"), line)
+                        : message(HITOS_TEXT("Errors", "line %1"), line);
+}
+
 Message ReadReport::placed(const Skip& skip) const {
-    return of_recording ? message(HITOS_TEXT("Errors", "message %1: %2"), skip.line, skip.reason)
-                        : message(HITOS_TEXT("Errors", "line %1: %2"), skip.line, skip.reason);
+    return message("%1: %2", place(skip.line), skip.reason);
 }
 
 bool is_world_file(const std::filesystem::path& path) {

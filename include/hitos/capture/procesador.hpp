@@ -16,6 +16,7 @@
 #include "hitos/capture/odometry_steps.hpp"
 #include "hitos/capture/scan.hpp"
 #include "hitos/capture/scan_clock.hpp"
+#include "hitos/capture/stamp_line.hpp"
 
 namespace hitos {
 
@@ -23,6 +24,8 @@ class OdometryTrack;
 
 /// The reader of text logs [T fig 9.4]: raw lines of a source, through the converter of its format.
 ///
+/// * A scan or a reading whose stamp is out of line with those before and behind it is left out as
+///   a damaged line is (StampJudge).
 /// * A scan that repeats the stamp and the ranges of the one before is left out and counted.
 /// * Poses become twists that reproduce them exactly (twist_between); a reading whose stamp does
 ///   not advance is put 1 ms after the one before, so that file order and every pose are kept. One
@@ -67,20 +70,9 @@ class Procesador final : public TourReader {
         std::array<double, 4> periods_s{};  ///< newest times from scan to scan
         std::optional<double> last_s;
     };
-    /// Where the stamps of a sequence go back to times that were, and stay there.
-    struct Returns {
-        void note(double time_s);
-        /// Stamps of two clocks in turn go to and fro.
-        bool rare() const { return count > 0 && kOften * count < stamps; }
-        static constexpr std::uint64_t kOften = 10;
-        std::uint64_t stamps = 0;
-        std::uint64_t count = 0;
-        double before_s = 0.0;  ///< stamp before the last
-        double last_s = 0.0;
-        double most_s = 0.0;
-        double at_s = 0.0;
-    };
-    void tell_return(const Returns& returns, std::vector<TourFinding>& found) const;
+    /// As the log has it, but for those with a broken stamp.
+    std::optional<Scan> read_scan();
+    std::optional<OdometryRecord> read_odometry();
     void mend(Scan& scan);
     void note_motion(const OdometryRecord& record);
     std::optional<Odometria> from_pose(const OdometryRecord& record);
@@ -102,8 +94,10 @@ class Procesador final : public TourReader {
     std::optional<OdometryRecord> last_odometry_;
     std::unique_ptr<OdometryTrack> track_;  ///< where scans are unwarped
     Sweeps sweeps_;
-    Returns scan_returns_;
-    Returns odometry_returns_;
+    StampLine<Scan> scans_;
+    StampReturns scan_returns_;  ///< of their times as they are mended
+    StampReturns odometry_returns_;
+    StampLine<OdometryRecord> records_;
     ScanClock clock_;
     OdometryAxes axes_;
     OdometrySteps steps_;

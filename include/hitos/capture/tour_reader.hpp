@@ -40,7 +40,9 @@ struct ReadReport {
     std::vector<Skip> examples;              ///< the first kExamples damaged lines, by line
     bool of_recording = false;               ///< what is called a line here is a message of ROS
 
-    /// "line 17: …", or "message 17: …"
+    /// "line 17", or "message 17"
+    Message place(std::uint64_t line) const;
+    /// "line 17: …"
     Message placed(const Skip& skip) const;
 };
 

@@ -135,6 +135,10 @@ std::optional<RawLine> RecordingSource::read_scan_line() {
         }
         if (!found) {
             scans_->ended = true;
+            for (auto& [laser, arrived] : arrived_scans_) {
+                arrived.end();
+                hold_scans(arrived);
+            }
             continue;
         }
         try {
@@ -162,8 +166,19 @@ void RecordingSource::take_in_scans(const RecordedMessage& found) {
     } else {
         MountedScan scan = scan_of(found);
         limits_.note(scan, found.topic->name);
-        const std::size_t bytes = sizeof scan + scan.ranges_m.size() * sizeof(float);
-        held_scans_.push(std::move(scan), bytes);
+        StampLine<MountedScan>& arrived = arrived_scans_[found.topic];
+        arrived.add(seconds_of(scan.stamp_ns), found.number, std::move(scan));
+        hold_scans(arrived);
+    }
+}
+
+void RecordingSource::hold_scans(StampLine<MountedScan>& of_laser) {
+    const auto left_out = [this](std::uint64_t number, Message reason) {
+        damage_.note(number, std::move(reason));
+    };
+    while (std::optional<MountedScan> scan = of_laser.take(left_out)) {
+        const std::size_t bytes = sizeof *scan + scan->ranges_m.size() * sizeof(float);
+        held_scans_.push(*std::move(scan), bytes, of_laser.returns());
     }
 }
 
@@ -208,6 +223,8 @@ std::optional<RawLine> RecordingSource::read_odometry_line() {
         }
         if (!found) {
             odometry_->ended = true;
+            arrived_readings_.end();
+            hold_readings();
             continue;
         }
         try {
@@ -218,10 +235,21 @@ std::optional<RawLine> RecordingSource::read_odometry_line() {
     }
 }
 
+void RecordingSource::hold_readings() {
+    const auto left_out = [this](std::uint64_t number, Message reason) {
+        damage_.note(number, std::move(reason));
+    };
+    while (const std::optional<Reading> reading = arrived_readings_.take(left_out)) {
+        held_readings_.push(*reading, sizeof(Reading), arrived_readings_.returns());
+    }
+}
+
 void RecordingSource::take_in_odometry(const RecordedMessage& found) {
     const Encoding encoding = encoding_of(found.topic->encoding);
     const auto hold = [&](std::int64_t stamp_ns, const Pose& pose, std::optional<Twist> twist) {
-        held_readings_.push({stamp_ns, found.number, pose, twist}, sizeof(Reading));
+        arrived_readings_.add(seconds_of(stamp_ns), found.number,
+                              {stamp_ns, found.number, pose, twist});
+        hold_readings();
     };
     if (!is_transforms(*found.topic)) {
         const OdometryMessage odometry = decode_odometry(found.bytes, encoding);

@@ -14,6 +14,7 @@
 #include "hitos/capture/fuente.hpp"
 #include "hitos/capture/held_damage.hpp"
 #include "hitos/capture/log_format.hpp"
+#include "hitos/capture/stamp_line.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "ros/laser_fan.hpp"
 #include "ros/range_limits.hpp"
@@ -82,6 +83,9 @@ class RecordingSource final : public Fuente {
     };
     std::optional<RecordedMessage> next(Cursor& cursor);
     void take_in_scans(const RecordedMessage& found);
+    /// What has gone on of a laser, and of the odometry, into their order.
+    void hold_scans(StampLine<MountedScan>& of_laser);
+    void hold_readings();
     MountedScan scan_of(const RecordedMessage& found) const;
     void take_in_odometry(const RecordedMessage& found);
 
@@ -90,10 +94,12 @@ class RecordingSource final : public Fuente {
     std::size_t most_joined_ = 0;
     std::unique_ptr<Cursor> scans_;
     std::unique_ptr<Cursor> odometry_;
-    std::map<std::string, FrameTree> frames_;  ///< by the laser's topic
+    std::map<std::string, FrameTree> frames_;                       ///< by the laser's topic
+    std::map<const Topic*, StampLine<MountedScan>> arrived_scans_;  ///< of each laser
     StampQueue<MountedScan> held_scans_;
     TurnParts parts_;
     RangeLimits limits_;
+    StampLine<Reading> arrived_readings_;
     StampQueue<Reading> held_readings_;
     std::string scan_text_;
     std::string odometry_text_;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace hitos {
@@ -18,10 +19,11 @@ class StampQueue {
     StampQueue(std::size_t most_items, std::size_t most_bytes)
         : most_items_(most_items), most_bytes_(most_bytes) {}
 
-    void push(Item item, std::size_t bytes) {
+    /// `turn`: how often its device's clock has gone back; what came before that goes first.
+    void push(Item item, std::size_t bytes, std::uint64_t turn) {
         bytes_ += bytes;
         const std::int64_t stamp_ns = item.stamp_ns;
-        items_.insert(Entry{stamp_ns, arrivals_++, bytes, std::move(item)});
+        items_.insert(Entry{turn, stamp_ns, arrivals_++, bytes, std::move(item)});
     }
     /// The earliest where there are more than may be held, or where `all` shall go.
     std::optional<Item> pop(bool all) {
@@ -36,12 +38,14 @@ class StampQueue {
 
   private:
     struct Entry {
+        std::uint64_t turn;
         std::int64_t stamp_ns;
         std::uint64_t arrival;
         std::size_t bytes;
         Item item;
         bool operator<(const Entry& other) const {
-            return std::pair(stamp_ns, arrival) < std::pair(other.stamp_ns, other.arrival);
+            return std::tie(turn, stamp_ns, arrival) <
+                   std::tie(other.turn, other.stamp_ns, other.arrival);
         }
     };
     std::size_t most_items_;

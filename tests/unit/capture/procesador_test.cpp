@@ -85,11 +85,14 @@ TEST(Procesador, AClockThatGoesBackIsTold) {
     EXPECT_EQ(word_of(twice.findings[0].kind), "clock-back");
     EXPECT_NEAR(twice.findings[0].value, 19.0, 1e-9);
     EXPECT_THAT(twice.findings[0].what.english(), HasSubstr("at 119.0 s by 19.0 s"));
+    EXPECT_THAT(twice.findings[0].what.english(), HasSubstr("(line 21)"));
     EXPECT_TRUE(read_text("radish", played(20)).findings.empty());
     const std::string late = played(20) + position(118, 20) + position(120, 21);
     EXPECT_TRUE(read_text("radish", late).findings.empty());  // out of order
     const std::string broken = played(20) + position(0, 20) + position(121, 21) + position(122, 22);
     EXPECT_TRUE(read_text("radish", broken).findings.empty());
+    EXPECT_EQ(read_text("radish", broken).report.skipped, 1U);
+    EXPECT_NEAR(test::summed(read_text("radish", broken).odometry).back().x, 22.0, 1e-12);
     // Of scans alone, and of what is added to their times.
     std::string set;
     for (int i = 0; i < 40; ++i) {

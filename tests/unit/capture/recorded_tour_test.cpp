@@ -24,7 +24,7 @@ std::string damaged_log() {
         text += fmt::format(
             "laser 0 {0} {0} 0 0\nlaser 0 {0} {0} 0 0\nlaser 0 {0} damaged\n\x01\n"
             "position 0 {0}.5 z 0 0 0 0 0\nposition 0 {0}.5 {0} 0 0 0 0 0\n"
-            "position 0 0.5 {0} 0 0 0 0 0\n",
+            "position 0 {0}.25 {0} 0 0 0 0 0\n",
             i);
     }
     return text + "laser 0 99 x\nposition 0 99 y 0 0 0 0 0\n";
