@@ -218,6 +218,23 @@ void ConnectTest::nobody_leaves_a_tour_that_comes_in_unasked() {
     QVERIFY(!f.session.is_live());
 }
 
+void ConnectTest::a_map_whose_log_is_gone_is_not_thrown_away_unasked() {
+    ConnectFixture f;
+    f.begin();
+    const auto* file = f.dialog().findChild<QLineEdit*>("connect_file");
+    QVERIFY(file->isHidden() || !file->isVisibleTo(&f.dialog()));  // it is kept already
+    const quint64 mapped = f.steps();
+    f.write("tour.log", "ODOM 0 0 0\n");  // whoever wrote it begins anew
+    QTRY_VERIFY2(f.state_words().contains("shorter"), qPrintable(f.state_words()));
+    f.trigger("action_restart");
+    QCOMPARE(f.prompts.confirmed_texts.size(), 1);
+    QVERIFY2(f.prompts.confirmed_texts.back().contains("cannot be mapped again"),
+             qPrintable(f.prompts.confirmed_texts.back()));
+    QCOMPARE(f.steps(), mapped);
+    f.dialog().findChild<QLineEdit*>("connect_address")->setText("ws://localhost:8765");
+    QVERIFY(file->isVisibleTo(&f.dialog()));
+}
+
 void ConnectTest::what_there_is_to_doubt_is_told_after_a_restart_too() {
     ConnectFixture f;
     f.begin();

@@ -48,6 +48,7 @@ class ConnectTest : public QObject {
     void another_log_ends_the_connection();
     void a_window_that_closes_waits_for_nothing();
     void nobody_leaves_a_tour_that_comes_in_unasked();
+    void a_map_whose_log_is_gone_is_not_thrown_away_unasked();
     void what_there_is_to_doubt_is_told_after_a_restart_too();
     void the_beginning_is_waited_for();
     void without_odometry_the_scans_say_how_it_goes();

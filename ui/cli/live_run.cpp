@@ -195,9 +195,8 @@ std::optional<std::string> LiveRun::poses_problem() const {
 }
 
 std::string LiveRun::behind() const {
-    constexpr double kWorthSaying = 1.0;  // [s]
     const double seconds = behind_s().value_or(0.0);
-    return seconds < kWorthSaying ? "" : fmt::format("  {:.0f} s behind", seconds);
+    return seconds < LiveSource::kWorthSaying ? "" : fmt::format("  {:.0f} s behind", seconds);
 }
 
 void LiveRun::tell_early_end() {

@@ -49,6 +49,8 @@ class LiveSource {
     /// for how long a lost connection is looked for.
     static constexpr std::size_t kOpeningScans = 20;
     static constexpr std::chrono::seconds kPatience{60};
+    /// Who waits for less is not told so [s].
+    static constexpr double kWorthSaying = 1.0;
 
     /// Follows a file that another program writes. Throws FileError where it cannot.
     explicit LiveSource(const std::filesystem::path& file);

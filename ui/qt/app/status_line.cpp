@@ -158,14 +158,13 @@ void StatusLine::show_tool_tip() {
 
 /// Of a tour that comes in how it stands with that.
 QString StatusLine::running_words(const Progress& progress) const {
-    constexpr double kWorthSayingS = 1.0;
     const auto& tour = session_.incoming_tour();
     if (!tour || !session_.is_live()) return tr("Running");
     if (!tour->source().link().connected) return tr("Connection lost");
     const double behind_s = tour->waiting_s(progress.steps).value_or(0.0);
-    if (behind_s >= kWorthSayingS) return tr("Live, %1 s behind").arg(behind_s, 0, 'f', 0);
+    if (behind_s >= LiveSource::kWorthSaying) return tr("Live, %1 s behind").arg(behind_s, 0, 'f', 0);
     const double silent_s = tour->silent_s();
-    if (silent_s >= kWorthSayingS) return tr("Live, no scan for %1 s").arg(silent_s, 0, 'f', 0);
+    if (silent_s >= LiveSource::kWorthSaying) return tr("Live, no scan for %1 s").arg(silent_s, 0, 'f', 0);
     return tr("Live");
 }
 

@@ -24,7 +24,7 @@ namespace {
 
 constexpr const char* kAddressKey = "connect/address";
 constexpr const char* kUsualAddress = "ws://localhost:8765";
-constexpr int kWorthSayingS = 1;
+constexpr int kKeepRow = 1;
 const QLatin1String kEnding(".mcap");
 
 QString seconds_words(double seconds) {
@@ -53,13 +53,13 @@ ConnectDialog::ConnectDialog(Connection& connection, Session& session, UserFiles
     setObjectName("connect_dialog");
     setWindowTitle(tr("Connect to a robot"));
     auto* column = new QVBoxLayout(this);
-    auto* form = new QFormLayout;
+    form_ = new QFormLayout;
     address_->setObjectName("connect_address");
     address_->setText(files.settings().value(kAddressKey, kUsualAddress).toString());
     address_->setToolTip(
         tr("ws://HOST:PORT, where foxglove_bridge answers on the robot, or the path of a log that "
            "another program is writing"));
-    form->addRow(tr("Address"), address_);
+    form_->addRow(tr("Address"), address_);
     auto* keep = new QHBoxLayout;
     file_->setObjectName("connect_file");
     file_->setToolTip(
@@ -67,8 +67,8 @@ ConnectDialog::ConnectDialog(Connection& connection, Session& session, UserFiles
            "of it again"));
     keep->addWidget(file_, 1);
     keep->addWidget(browse_);
-    form->addRow(tr("Keep in"), keep);
-    column->addLayout(form);
+    form_->addRow(tr("Keep in"), keep);
+    column->addLayout(form_);
     auto* row = new QHBoxLayout;
     act_->setObjectName("connect_act");
     act_->setAutoDefault(false);
@@ -185,6 +185,8 @@ void ConnectDialog::refresh() {
     const bool active = connection_.active();
     const bool server = is_websocket_address(address_->text().trimmed().toStdString());
     address_->setEnabled(!active);
+    // A log that is followed is a file already.
+    form_->setRowVisible(kKeepRow, server || address_->text().trimmed().isEmpty());
     file_->setEnabled(!active && server);
     browse_->setEnabled(!active && server);
     act_->setText(active ? tr("Disconnect") : tr("Connect"));
@@ -235,7 +237,9 @@ QString ConnectDialog::state_words() const {
     const Connection::Received& received = connection_.received();
     switch (connection_.state()) {
         case Connection::State::none:
-            return tr("What is received is kept in the file first, and mapped as it comes.");
+            return tr(
+                "What is received is kept in the file first, and mapped as it comes, with the "
+                "parameters of this window.");
         case Connection::State::connecting:
             return tr("Connecting…");
         case Connection::State::waiting:
@@ -251,7 +255,8 @@ QString ConnectDialog::state_words() const {
             if (!connection_.problem().isEmpty()) return connection_.problem();
             const auto& tour = session_.incoming_tour();
             const double silent = tour ? tour->silent_s() : 0.0;
-            if (silent > kWorthSayingS) return tr("No scan for %1.").arg(seconds_words(silent));
+            if (silent >= LiveSource::kWorthSaying)
+                return tr("No scan for %1.").arg(seconds_words(silent));
             if (session_.progress().state == Progress::State::running)
                 return tr("The map grows with what comes in.");
             return tr("The run stands still; what comes in is kept, and mapped when it goes on.");
@@ -269,6 +274,10 @@ QString ConnectDialog::state_words() const {
     }
     if (!connection_.file().isEmpty()) {
         said << tr("What was received is in %1").arg(QDir::toNativeSeparators(connection_.file()));
+    }
+    if (!connection_.former().isEmpty()) {
+        said << tr("What was there before is kept in %1")
+                    .arg(QDir::toNativeSeparators(connection_.former()));
     }
     return said.join('\n');
 }

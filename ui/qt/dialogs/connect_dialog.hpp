@@ -8,6 +8,7 @@
 #include "look/user_files.hpp"
 #include "workers/connection.hpp"
 
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
@@ -43,6 +44,7 @@ class ConnectDialog final : public QDialog {
     Session& session_;
     UserFiles& files_;
     Prompts& prompts_;
+    QFormLayout* form_ = nullptr;
     QLineEdit* address_;
     QLineEdit* file_;
     QPushButton* browse_;

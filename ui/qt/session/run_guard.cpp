@@ -40,16 +40,24 @@ bool RunGuard::may_leave() const {
 }
 
 bool RunGuard::may_discard() const {
+    const auto& tour = session_.incoming_tour();
+    const bool once = tour && tour->source().problem() && session_.progress().steps > 0;
     const double seconds = session_.computed_seconds();
-    if (seconds <= long_run_s_) return true;
+    if (!once && seconds <= long_run_s_) return true;
+    const QString why =
+        once ? guard_words(QT_TRANSLATE_NOOP(
+                   "RunGuard",
+                   "Its log does not hold all of it any more, so it cannot be mapped again."))
+             : guard_words(QT_TRANSLATE_NOOP("RunGuard", "It has computed for %1 s."))
+                   .arg(std::ceil(seconds));
     return prompts_.confirm(
         window_,
-        {guard_words(QT_TRANSLATE_NOOP("RunGuard", "A long run")),
+        {once ? guard_words(QT_TRANSLATE_NOOP("RunGuard", "A map that is here alone"))
+              : guard_words(QT_TRANSLATE_NOOP("RunGuard", "A long run")),
          guard_words(QT_TRANSLATE_NOOP("RunGuard", "Discard this run?")),
-         guard_words(QT_TRANSLATE_NOOP("RunGuard",
-                                       "It has computed for %1 s. Its results can be kept first "
-                                       "with File → Save all results."))
-             .arg(std::ceil(seconds)),
+         why + ' ' +
+             guard_words(QT_TRANSLATE_NOOP(
+                 "RunGuard", "Its results can be kept first with File → Save all results.")),
          guard_words(QT_TRANSLATE_NOOP("RunGuard", "Discard")), true});
 }
 

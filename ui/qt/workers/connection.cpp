@@ -93,6 +93,7 @@ void Connection::begin(const Wish& wish) {
     problem_.clear();
     received_ = {};
     file_.clear();
+    former_.clear();
     state_ = State::connecting;
     attempt_ = std::make_shared<Attempt>();
     attempt_->scans = QString::fromStdString(wish.source.read.scan_topic);
@@ -158,9 +159,12 @@ void Connection::open(const std::shared_ptr<Attempt>& attempt, const Wish& wish)
                 Received received{now.scans,    bytes, live->link(), listed, words_of(now.problem),
                                   now.to_choose};
                 const bool kept = live->holds_something();
+                const std::string former = kept ? live->former().string() : "";
                 tell(attempt, [this, received = std::move(received), news = live->take_news(),
-                               name = QString::fromStdString(kept ? source.file : "")] {
+                               name = QString::fromStdString(kept ? source.file : ""),
+                               former = QString::fromStdString(former)] {
                     file_ = name;
+                    former_ = former;
                     note(received, news);
                 });
                 const std::scoped_lock lock(attempt->mutex);
@@ -177,6 +181,7 @@ void Connection::open(const std::shared_ptr<Attempt>& attempt, const Wish& wish)
 void Connection::take(const std::shared_ptr<LiveSource>& source, const SourceParams& how) {
     attempt_ = nullptr;
     source->replace_former();
+    former_.clear();
     state_ = State::live;
     file_ = QString::fromStdString(how.file);
     tour_ = std::make_shared<IncomingTour>(source, [bell = bell_] { bell->ring(); });

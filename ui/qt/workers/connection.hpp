@@ -64,6 +64,8 @@ class Connection final : public QObject {
     const Received& received() const { return received_; }
     /// Where what came is kept; empty where nothing did.
     const QString& file() const { return file_; }
+    /// Where what was in that file before is kept, as the map of what came did not begin.
+    const QString& former() const { return former_; }
     /// Why it is over, or what is amiss with the file; empty where it ended as it was asked to, or
     /// the link was given up.
     const QString& problem() const { return problem_; }
@@ -89,6 +91,7 @@ class Connection final : public QObject {
     State state_ = State::none;
     Received received_;
     QString file_;
+    QString former_;
     QString problem_;
     std::shared_ptr<Attempt> attempt_;
     std::shared_ptr<IncomingTour> tour_;
