@@ -193,7 +193,11 @@ void Grid::add(const Scan& scan, const Pose& pose_world_robot) {
     const double laser_v = in_cells(laser.y, params_.resolution_m);
     rays_.clear();
     last_change_ = {};
-    if (in_reach(laser_u, laser_v)) collect_rays(scan, pose_world_robot, laser);
+    if (in_reach(laser_u, laser_v)) {
+        collect_rays(scan, pose_world_robot, laser);
+    } else {
+        ++scans_left_out_;
+    }
     if (rays_.empty() || !keep_rays_that_fit(laser_u, laser_v)) return;
 
     last_change_ = extent(laser_u, laser_v);
@@ -270,9 +274,10 @@ CellArea Grid::extent(double laser_u, double laser_v) const {
 /// False where not even the laser fits; the grid is then as before.
 bool Grid::keep_rays_that_fit(double laser_u, double laser_v) {
     CellArea box = with_cell(area(), laser_u, laser_v);
-    if (too_great(box)) return false;
     CellArea all = united(box, extent(laser_u, laser_v));
     if (too_great(all)) {
+        ++scans_left_out_;
+        if (too_great(box)) return false;
         std::erase_if(rays_, [&](const Ray& ray) {
             const CellArea with = with_cell(box, ray.u, ray.v);
             if (too_great(with)) return true;

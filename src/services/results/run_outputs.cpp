@@ -117,6 +117,18 @@ MapImage to_look_at(MapImage image) {
     return fitted(shrunk(std::move(image), static_cast<int>(std::max(longest, 1.0))), "jpg");
 }
 
+/// A picture of half the way would be taken for that of all of it; a single ray that ends anywhere
+/// is no reason.
+Message why_not_whole(const Grid& grid, const Trajectory& path) {
+    constexpr std::uint64_t kFew = 100;
+    if (kFew * grid.scans_left_out() <= path.size()) return {};
+    return message(HITOS_TEXT("Errors",
+                              "%1 of %2 scans lie beyond what a grid can hold (%3 million cells); "
+                              "a coarser one holds them: --set grid.resolution=%4"),
+                   grid.scans_left_out(), path.size(), kMostGridCells / 1'000'000,
+                   fmt::format("{:.3g}", 4.0 * grid.resolution_m()));
+}
+
 /// The grid as .png, a pixel a cell at least, and as .jpg to look at, with the path over it.
 template <class MakeGrid, class PathOf>
 RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
@@ -124,6 +136,8 @@ RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
                                                   const Folder& folder) {
         constexpr std::size_t kDrawnAtOnce = 4'000'000;  // pixels
         const Grid& grid = make_grid(finished);
+        if (const Message reason = why_not_whole(grid, path_of(finished)); !reason.empty())
+            return reason;
         MapImage image = map_image(grid);
         if (image.picture.grey.size() > kDrawnAtOnce) end_where_asked(finished);
         PictureStyle style;
@@ -136,6 +150,7 @@ RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
         write_picture(fitted(image, "png"), style, folder / numbered(stem + ".png", finished));
         write_picture(to_look_at(std::move(image)), style,
                       folder / numbered(stem + ".jpg", finished));
+        return Message();
     };
     return output({stem + ".png", stem + ".jpg"}, write);
 }

@@ -28,6 +28,7 @@
 #include "look/flow_layout.hpp"
 #include "look/screen_fit.hpp"
 #include "look/steady_label.hpp"
+#include "look/theme.hpp"
 #include "look/words_of.hpp"
 #include "written_pose.hpp"
 
@@ -371,8 +372,9 @@ void GraphWindow::end_writing(const QString& folder, const QString& problem) {
     }
     saved_ = writing_;
     files_.note_saved("graph", folder);
-    told_ = tr("Graph saved: %1").arg(QDir::toNativeSeparators(folder));
-    emit notice(told_);
+    const QString place = QDir::toNativeSeparators(folder);
+    told_ = tr("Graph saved in %1.").arg(place);
+    emit notice(tr("Graph saved: %1").arg(place));
     show_state();
 }
 
@@ -477,7 +479,14 @@ void GraphWindow::show_state() {
     before_->setEnabled(graph != nullptr);
     open_edits_->setEnabled(graph != nullptr);
     save_->setEnabled(graph && graph->stage == ShownGraph::Stage::solved && !busy());
-    words_->setText(QStringList{told_, graph_words(graph.get(), busy())}.join(' ').trimmed());
+    QStringList words{told_};
+    for (QLineEdit* line : {a_, b_}) {
+        const bool none = graph && !line->text().isEmpty() && !pose_in(*line);
+        set_look(*line, "state", none ? "wrong" : "good");
+        if (none) words << tr("The graph has no pose %1.").arg(line->text());
+    }
+    words << graph_words(graph.get(), busy());
+    words_->setText(words.join(' ').trimmed());
 }
 
 }  // namespace hitos::window

@@ -22,7 +22,11 @@ QString graph_words(const ShownGraph* graph, bool busy) {
                           QString::fromStdString(lines.tag));
     }
     const PlanarSolution& solution = graph->solved.solution;
-    if (graph->stage != ShownGraph::Stage::read) {
+    // What is foreseen begins where the graph before lies, not where the file has it.
+    if (graph->stage == ShownGraph::Stage::foreseen) {
+        words << GraphWindow::tr("χ² %1, foreseen; it is being solved from the beginning.")
+                     .arg(solution.chi_square_after, 0, 'g', 6);
+    } else if (graph->stage != ShownGraph::Stage::read) {
         words << GraphWindow::tr("χ² %1 → %2, up to %3 m moved.")
                      .arg(solution.chi_square_before, 0, 'g', 6)
                      .arg(solution.chi_square_after, 0, 'g', 6)
@@ -36,13 +40,11 @@ QString graph_words(const ShownGraph* graph, bool busy) {
                        .arg(solved.vertices[solution.held.front()].id);
         }
     }
-    if (graph->stage == ShownGraph::Stage::foreseen) {
-        words << GraphWindow::tr("Foreseen; it is being solved from the beginning.");
-    } else if (graph->stage == ShownGraph::Stage::solved && !solution.converged) {
+    if (graph->stage == ShownGraph::Stage::solved && !solution.converged) {
         words << GraphWindow::tr(
             "Further steps would still move the graph: are edges false? “Robust” takes "
             "their weight from those that are far from the rest.");
-    } else if (busy) {
+    } else if (busy && graph->stage != ShownGraph::Stage::foreseen) {
         words << GraphWindow::tr("At work…");
     }
     return words.join(' ');

@@ -30,6 +30,7 @@ std::optional<Pose> pose_of(const QLineEdit& line) {
 void make_pose_line(QLineEdit& line, const QString& words) {
     line.setToolTip(words);
     line.setAccessibleName(words);
+    line.setPlaceholderText(QCoreApplication::translate("WrittenPose", "x, y [m], heading [°]"));
     line.setMinimumWidth(line.fontMetrics().horizontalAdvance("-100.000, -100.000, -180.00") + 16);
     const auto unread = [&line] { return !line.text().trimmed().isEmpty() && !pose_of(line); };
     QObject::connect(&line, &QLineEdit::textChanged, &line,

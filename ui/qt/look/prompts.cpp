@@ -227,6 +227,7 @@ void QtPrompts::warn(QWidget* parent, const QString& title, const QString& text)
 bool may_overwrite(Prompts& prompts, QWidget* parent, const QString& path) {
     const QString name = QFileInfo(path).fileName();
     if (QFileInfo(path).isDir()) {
+        if (QDir(path).isEmpty()) return true;
         return prompts.confirm(
             parent,
             {prompt(QT_TRANSLATE_NOOP("Prompts", "The folder exists")),

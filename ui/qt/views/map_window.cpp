@@ -58,6 +58,12 @@ void MapWindow::finish() {
         ui_->verdict->setText(
             counted_words(state.path.size(), tr("Map of 1 scan"), tr("Map of %1 scans")));
     }
+    if (state.left_out > 0) {
+        ui_->verdict->setText(
+            ui_->verdict->text() + ", " +
+            counted_words(state.left_out, tr("of 1 something lies beyond what a grid can hold"),
+                          tr("of %1 something lies beyond what a grid can hold")));
+    }
 }
 
 }  // namespace hitos::window

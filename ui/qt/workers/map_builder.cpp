@@ -75,6 +75,7 @@ void MapBuilder::publish(const GridBuilder& builder, bool last) {
     fresh_ = true;
     shared_.tiles = tiler_.tiles(builder.grid());
     shared_.path = builder.path();
+    shared_.left_out = builder.grid().scans_left_out();
 }
 
 void MapBuilder::poll() {

@@ -39,7 +39,8 @@ class MapBuilder final : public QObject {
         Trajectory path;  ///< as far as the map has come
         double progress = 0.0;
         bool running = false;
-        bool stopped = false;  ///< by the user, before the end
+        bool stopped = false;        ///< by the user, before the end
+        std::uint64_t left_out = 0;  ///< as Grid::scans_left_out()
         QString error;
     };
     const State& state() const { return state_; }

@@ -60,6 +60,8 @@ class Grid {
     void clear();
 
     bool empty() const { return columns_ == 0; }
+    /// Scans of which something is left out as no grid could hold it.
+    std::uint64_t scans_left_out() const { return scans_left_out_; }
     /// Cells of the tiles that something was drawn into.
     std::int64_t seen_cells() const;
     /// Memory that its cells take.
@@ -122,6 +124,7 @@ class Grid {
     std::int64_t first_column_ = 0;  // cell index of column 0, counted from the world's origin
     std::int64_t first_row_ = 0;
     CellArea last_change_;
+    std::uint64_t scans_left_out_ = 0;
     std::vector<Ray> rays_;  // scratch: the scan being added
     std::vector<Hit> hits_;  // scratch: cells that it hits, and what they held
 };

@@ -237,13 +237,16 @@ TEST(Grid, LeavesOutWhatWouldTakeTooManyCells) {
     // A million columns are possible, and then 268 rows, but no more.
     grid.add(scan_of({{1e6, 0.0}}), {0.5, 0.5, 0.0});
     EXPECT_EQ(grid.columns(), 1000001);
+    EXPECT_EQ(grid.scans_left_out(), 0U);
     grid.add(scan_of({{0.0, 1e5}, {3.0, 4.0}, {0.0, -1e5}, {1e9, 0.0}}), {0.5, 0.5, 0.0});
     EXPECT_EQ(grid.rows(), 5);
     EXPECT_EQ(grid.log_odds(3, 4), 1.0F);
     EXPECT_EQ(grid.log_odds(1000000, 0), 1.0F);
     // Not even the laser fits.
+    EXPECT_EQ(grid.scans_left_out(), 1U);
     grid.add(scan_of({{1.0, 0.0}, {2.0, 0.0}}), {0.5, 1e5, 0.0});
     EXPECT_EQ(grid.rows(), 5);
+    EXPECT_EQ(grid.scans_left_out(), 2U);
     // Ten million cells in a row are few, but need tiles of 640 million.
     Grid strip(unit_cells());
     strip.add(scan_of({{1e7, 0.0}, {3.0, 0.0}}), {0.5, 0.5, 0.0});
