@@ -2059,10 +2059,6 @@
         <translation>no se puede leer en ella ningún barrido láser (mensajes sensor_msgs/LaserScan), pues hay partes ilegibles: %1; los temas que se pueden leer son: %2</translation>
     </message>
     <message>
-        <source>message %1: %2</source>
-        <translation>mensaje %1: %2</translation>
-    </message>
-    <message>
         <source>found no scan behind the first odometry reading; %1 before it were left out, use them with source.early_scans=keep</source>
         <translation>no se encontró ningún barrido posterior a la primera lectura de odometría; se omitieron los %1 anteriores a ella, que se usan con source.early_scans=keep</translation>
     </message>
@@ -3383,10 +3379,6 @@
         <translation>todavía no ha llegado nada</translation>
     </message>
     <message>
-        <source>the clock goes back, at %1 s by %2 s: a recording that was played again, or a clock that was set; scans behind that are taken to be of times that were, and lie anywhere</source>
-        <translation>el reloj vuelve atrás, en el segundo %1 y %2 s: una grabación que se reprodujo otra vez, o un reloj que se puso en hora; los barridos que siguen se toman por de tiempos pasados, y quedan en cualquier parte</translation>
-    </message>
-    <message>
         <source>record or play the tour once; of a log that goes back, make a log of each part, and go on with the map of the first</source>
         <translation>grabe o reproduzca el recorrido una sola vez; de un registro que vuelve atrás, haga un registro de cada parte, y continúe con el mapa de la primera</translation>
     </message>
@@ -3413,6 +3405,30 @@
     <message>
         <source>is no file that can be replaced; name another one</source>
         <translation>no es un archivo que se pueda sustituir; indique otro</translation>
+    </message>
+    <message>
+        <source>the clock goes back, at %1 s by %2 s: a recording that was played again, or a clock that was set; scans behind that are taken to be of times that were, and lie anywhere (%3)</source>
+        <translation>el reloj vuelve atrás, en el segundo %1 y %2 s: una grabación que se reprodujo otra vez, o un reloj que se puso en hora; los barridos que siguen se toman por de tiempos pasados, y quedan en cualquier parte (%3)</translation>
+    </message>
+    <message>
+        <source>its time, %1 s, is out of line: that before it is of %2 s and that behind it of %3 s</source>
+        <translation>su tiempo, %1 s, se sale de la serie: el anterior es de %2 s y el siguiente de %3 s</translation>
+    </message>
+    <message>
+        <source>its time, %1 s, is out of line with its neighbour&apos;s, %2 s</source>
+        <translation>su tiempo, %1 s, se sale de la serie de su vecino, %2 s</translation>
+    </message>
+    <message>
+        <source>message %1</source>
+        <translation>mensaje %1</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>línea %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans lie beyond what a grid can hold (%3 million cells); a coarser one holds them: --set grid.resolution=%4</source>
+        <translation>%1 de %2 barridos quedan fuera de lo que cabe en una rejilla (%3 millones de celdas); en una más gruesa caben: --set grid.resolution=%4</translation>
     </message>
 </context>
 <context>
@@ -5380,10 +5396,6 @@
         <translation>¿Descartar esta ejecución?</translation>
     </message>
     <message>
-        <source>It has computed for %1 s. Its results can be kept first with File → Save all results.</source>
-        <translation>Ha calculado durante %1 s. Sus resultados se pueden guardar antes con Archivo → Guardar todos los resultados.</translation>
-    </message>
-    <message>
         <source>Discard</source>
         <translation>Descartar</translation>
     </message>
@@ -5402,6 +5414,22 @@
     <message>
         <source>End the tour</source>
         <translation>Terminar el recorrido</translation>
+    </message>
+    <message>
+        <source>Its log does not hold all of it any more, so it cannot be mapped again.</source>
+        <translation>Su registro ya no lo contiene todo, así que no se puede volver a cartografiar.</translation>
+    </message>
+    <message>
+        <source>It has computed for %1 s.</source>
+        <translation>Ha calculado durante %1 s.</translation>
+    </message>
+    <message>
+        <source>A map that is here alone</source>
+        <translation>Un mapa que solo está aquí</translation>
+    </message>
+    <message>
+        <source>Its results can be kept first with File → Save all results.</source>
+        <translation>Antes se pueden guardar sus resultados con Archivo → Guardar todos los resultados.</translation>
     </message>
 </context>
 <context>
@@ -5501,6 +5529,10 @@
     <message>
         <source>Expected: %1</source>
         <translation>Se espera: %1</translation>
+    </message>
+    <message>
+        <source>x, y [m], heading [°]</source>
+        <translation>x, y [m], rumbo [°]</translation>
     </message>
 </context>
 <context>
@@ -6288,10 +6320,6 @@
         <translation>nada</translation>
     </message>
     <message>
-        <source>What is received is kept in the file first, and mapped as it comes.</source>
-        <translation>Lo que se recibe se guarda primero en el archivo, y el mapa se hace según llega.</translation>
-    </message>
-    <message>
         <source>Connecting…</source>
         <translation>Conectando…</translation>
     </message>
@@ -6350,6 +6378,14 @@
     <message>
         <source>The run stands still; what comes in is kept, and mapped when it goes on.</source>
         <translation>La ejecución está detenida; lo que llega se guarda, y se cartografía cuando continúe.</translation>
+    </message>
+    <message>
+        <source>What is received is kept in the file first, and mapped as it comes, with the parameters of this window.</source>
+        <translation>Lo que se recibe se guarda primero en el archivo y se cartografía según llega, con los parámetros de esta ventana.</translation>
+    </message>
+    <message>
+        <source>What was there before is kept in %1</source>
+        <translation>Lo que había antes queda en %1</translation>
     </message>
 </context>
 <context>
@@ -7089,10 +7125,6 @@
         <translation>Nada está fijo en %1 de %2 partes: se retiene un vértice de cada una, primero %3.</translation>
     </message>
     <message>
-        <source>Foreseen; it is being solved from the beginning.</source>
-        <translation>Previsto; se está resolviendo desde el principio.</translation>
-    </message>
-    <message>
         <source>Further steps would still move the graph: are edges false? “Robust” takes their weight from those that are far from the rest.</source>
         <translation>Más pasos aún moverían el grafo: ¿hay aristas falsas? «Robusto» quita peso a las que se apartan del resto.</translation>
     </message>
@@ -7107,6 +7139,18 @@
     <message>
         <source>The change that was undone (Ctrl+Shift+Z)</source>
         <translation>El cambio deshecho (Ctrl+Mayús+Z)</translation>
+    </message>
+    <message>
+        <source>Graph saved in %1.</source>
+        <translation>Grafo guardado en %1.</translation>
+    </message>
+    <message>
+        <source>The graph has no pose %1.</source>
+        <translation>El grafo no tiene ninguna pose %1.</translation>
+    </message>
+    <message>
+        <source>χ² %1, foreseen; it is being solved from the beginning.</source>
+        <translation>χ² %1, previsto; se está resolviendo desde el principio.</translation>
     </message>
 </context>
 <context>
@@ -8326,6 +8370,14 @@
     <message>
         <source>Map of 1 scan</source>
         <translation>Mapa de 1 barrido</translation>
+    </message>
+    <message>
+        <source>of 1 something lies beyond what a grid can hold</source>
+        <translation>de 1 algo queda fuera de lo que cabe en una rejilla</translation>
+    </message>
+    <message>
+        <source>of %1 something lies beyond what a grid can hold</source>
+        <translation>de %1 algo queda fuera de lo que cabe en una rejilla</translation>
     </message>
 </context>
 <context>
