@@ -6,10 +6,7 @@
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
-#include <QRegularExpression>
-#include <QRegularExpressionValidator>
 #include <QScrollBar>
 #include <QShortcut>
 #include <QSignalBlocker>
@@ -21,6 +18,7 @@
 #include <utility>
 
 #include "graph_changes.hpp"
+#include "graph_hand.hpp"
 #include "graph_model.hpp"
 #include "graph_view.hpp"
 #include "graph_words.hpp"
@@ -28,9 +26,7 @@
 #include "look/flow_layout.hpp"
 #include "look/screen_fit.hpp"
 #include "look/steady_label.hpp"
-#include "look/theme.hpp"
 #include "look/words_of.hpp"
-#include "written_pose.hpp"
 
 namespace hitos::window {
 namespace {
@@ -45,14 +41,6 @@ std::optional<std::size_t> same_edge_in(const PlanarGraph& graph, const PlanarEd
     });
     if (found == graph.edges.end()) return std::nullopt;
     return static_cast<std::size_t>(found - graph.edges.begin());
-}
-
-/// Whether there is something between the two that could be refused.
-bool joined(const PlanarGraph& graph, std::uint32_t a, std::uint32_t b) {
-    return std::ranges::any_of(graph.edges, [&](const PlanarEdge& edge) {
-        return edge.kind == PlanarEdge::Kind::step &&
-               std::minmax(edge.from, edge.to) == std::minmax(a, b);
-    });
 }
 
 }  // namespace
@@ -155,53 +143,19 @@ QWidget* GraphWindow::made_column() {
     connect(table_, &FiguresTable::row_chosen, this,
             [this](int row) { choose_edge(model_->rows()[static_cast<std::size_t>(row)].edge); });
     column->addWidget(table_, 1);
-    add_changes(*column, side);
-    auto* by_key = new QShortcut(Qt::Key_Delete, table_, nullptr, nullptr, Qt::WidgetShortcut);
-    connect(by_key, &QShortcut::activated, refuse_, &QPushButton::click);
-    return side;
-}
-
-void GraphWindow::add_changes(QVBoxLayout& column, QWidget* parent) {
-    const auto add_row = [&](std::initializer_list<QWidget*> widgets) {
-        auto* row = new QHBoxLayout;
-        for (QWidget* widget : widgets) row->addWidget(widget);
-        column.addLayout(row);
-    };
-    const auto named = [&](const QString& words, QLineEdit* line) {
-        auto* label = new QLabel(words, parent);
-        label->setBuddy(line);
-        return label;
-    };
-    a_ = made_number(parent, "graph_a", tr("Pose A, by its id"));
-    b_ = made_number(parent, "graph_b", tr("Pose B, by its id"));
-    add_row({named("A", a_), a_, named("B", b_), b_});
-    refuse_ = made_button(parent, "graph_refuse", tr("Refuse"),
-                          tr("Drops the edges between A and B"), &GraphWindow::refuse);
-    slip_ = made_button(parent, "graph_slip", tr("Slip"),
-                        tr("The step to A from the pose before it says next to nothing"),
-                        &GraphWindow::slip);
-    add_row({refuse_, slip_});
-    close_at_ = new QLineEdit(parent);
-    close_at_->setObjectName("graph_close_at");
-    make_pose_line(*close_at_, tr("A seen from B: x, y [m] and heading [°]"));
-    close_ = made_button(parent, "graph_close", tr("Close"),
-                         tr("An edge more: A is seen from B there, as sure as an eye is"),
-                         &GraphWindow::close_loop);
-    add_row({close_, close_at_});
-    fix_at_ = new QLineEdit(parent);
-    fix_at_->setObjectName("graph_fix_at");
-    make_pose_line(*fix_at_, tr("A in the map: x, y [m] and heading [°]"));
-    fix_ = made_button(parent, "graph_fix", tr("Fix"), tr("A is known to be there in the map"),
-                       &GraphWindow::fix);
-    add_row({fix_, fix_at_});
-    connect(close_at_, &QLineEdit::returnPressed, close_, &QPushButton::click);
-    connect(fix_at_, &QLineEdit::returnPressed, fix_, &QPushButton::click);
-    for (QLineEdit* line : {close_at_, fix_at_}) {
-        connect(line, &QLineEdit::textChanged, this, &GraphWindow::show_state);
-    }
-    changes_ = new GraphChanges(parent);
+    hand_ = new GraphHand(side);
+    connect(hand_, &GraphHand::edit_wanted, this, &GraphWindow::add);
+    connect(hand_, &GraphHand::poses_written, this, [this] {
+        edge_.reset();
+        show_chosen();
+    });
+    column->addWidget(hand_);
+    changes_ = new GraphChanges(side);
     connect(changes_, &GraphChanges::changed, this, &GraphWindow::solve);
-    column.addWidget(changes_);
+    column->addWidget(changes_);
+    auto* by_key = new QShortcut(Qt::Key_Delete, table_, nullptr, nullptr, Qt::WidgetShortcut);
+    connect(by_key, &QShortcut::activated, hand_, &GraphHand::refuse);
+    return side;
 }
 
 QPushButton* GraphWindow::made_button(QWidget* parent, const char* name, const QString& words,
@@ -214,23 +168,10 @@ QPushButton* GraphWindow::made_button(QWidget* parent, const char* name, const Q
     return button;
 }
 
-QLineEdit* GraphWindow::made_number(QWidget* parent, const char* name, const QString& words) {
-    auto* line = new QLineEdit(parent);
-    line->setObjectName(name);
-    line->setToolTip(words);
-    line->setAccessibleName(words);
-    line->setValidator(new QRegularExpressionValidator(QRegularExpression("[0-9]{1,19}"), line));
-    connect(line, &QLineEdit::textEdited, this, [this] {
-        edge_.reset();
-        forget_written();
-        show_chosen();
-    });
-    return line;
-}
-
 /// What was read is solved at once.
 void GraphWindow::take_graph() {
     const auto graph = shown();
+    hand_->set_graph(graph);
     if (graph->stage == ShownGraph::Stage::read) {
         files_.note_recent(solver_->path());
         files_.note_opened("graph", solver_->path());
@@ -303,42 +244,17 @@ bool GraphWindow::change(std::vector<GraphEdit> edits) {
     return true;
 }
 
-void GraphWindow::add(GraphEdit edit) {
-    GraphChanges::With with = changes_->with(std::move(edit));
-    if (!change(std::move(with.edits))) return;
+void GraphWindow::add(const GraphEdit& edit) {
+    GraphChanges::With with = changes_->with(edit);
+    const auto a = hand_->a();
+    const auto b = hand_->b();
+    // What there is by hand alone goes with the change that made it.
+    const bool by_hand =
+        edit.kind == GraphEdit::Kind::refuse && a && b && !joined(shown()->file->graph, *a, *b);
+    if (by_hand) with.edits.pop_back();
+    if (!change(std::move(with.edits)) || by_hand) return;
     told_ = with.replaced;
     show_state();
-}
-
-void GraphWindow::refuse() {
-    GraphEdit refusal{
-        GraphEdit::Kind::refuse, {a_->text().toULongLong()}, {b_->text().toULongLong()}};
-    // What there is by hand alone goes with the change that made it.
-    const auto a = pose_in(*a_);
-    const auto b = pose_in(*b_);
-    if (!a || !b) return;
-    if (joined(shown()->file->graph, *a, *b)) {
-        add(std::move(refusal));
-        return;
-    }
-    std::vector<GraphEdit> rest = changes_->with(std::move(refusal)).edits;
-    rest.pop_back();
-    change(std::move(rest));
-}
-
-void GraphWindow::close_loop() {
-    const auto pose = pose_of(*close_at_);
-    if (!pose) return;
-    add({GraphEdit::Kind::close, {a_->text().toULongLong()}, {b_->text().toULongLong()}, *pose});
-}
-
-void GraphWindow::slip() {
-    add({GraphEdit::Kind::slip, {a_->text().toULongLong()}});
-}
-
-void GraphWindow::fix() {
-    const auto pose = pose_of(*fix_at_);
-    if (pose) add({GraphEdit::Kind::fix, {a_->text().toULongLong()}, {}, *pose});
 }
 
 void GraphWindow::open_edits() {
@@ -389,19 +305,6 @@ void GraphWindow::reject() {
     if (may_end()) QDialog::reject();
 }
 
-std::optional<std::uint32_t> GraphWindow::pose_in(const QLineEdit& line) const {
-    const auto graph = shown();
-    bool number = false;
-    const std::uint64_t id = line.text().toULongLong(&number);
-    if (!graph || !number) return std::nullopt;
-    const std::vector<PlanarVertex>& vertices = graph->solved.graph.vertices;
-    const auto found = std::ranges::find_if(vertices, [&](const PlanarVertex& vertex) {
-        return vertex.id == id && vertex.kind == PlanarVertex::Kind::pose;
-    });
-    if (found == vertices.end()) return std::nullopt;
-    return static_cast<std::uint32_t>(found - vertices.begin());
-}
-
 /// Its poses are A and B, as somebody would close it anew.
 void GraphWindow::choose_edge(const std::optional<std::size_t>& edge) {
     edge_ = edge;
@@ -412,9 +315,9 @@ void GraphWindow::choose_edge(const std::optional<std::size_t>& edge) {
             return QString::number(graph.vertices[vertex].id);
         };
         if (one.kind == PlanarEdge::Kind::step) {
-            set_poses(id(one.to), id(one.from));
+            hand_->set_poses(id(one.to), id(one.from));
         } else {
-            set_poses(
+            hand_->set_poses(
                 id(graph.vertices[one.from].kind == PlanarVertex::Kind::pose ? one.from : one.to),
                 {});
         }
@@ -422,39 +325,16 @@ void GraphWindow::choose_edge(const std::optional<std::size_t>& edge) {
     show_chosen();
 }
 
-/// The pose that was A before is B.
 void GraphWindow::take_pose(std::uint32_t vertex) {
     edge_.reset();
-    const QString id = QString::number(shown()->solved.graph.vertices[vertex].id);
-    set_poses(id, a_->text() == id ? b_->text() : a_->text());
+    hand_->take_pose(QString::number(shown()->solved.graph.vertices[vertex].id));
     show_chosen();
 }
 
-void GraphWindow::set_poses(const QString& a, const QString& b) {
-    a_->setText(a);
-    b_->setText(b);
-    forget_written();
-}
-
-void GraphWindow::forget_written() {
-    for (QLineEdit* line : {close_at_, fix_at_}) line->setModified(false);
-}
-
-/// Where A lies now is where it would be closed or fixed.
 void GraphWindow::show_chosen() {
-    const auto graph = shown();
-    const auto a = pose_in(*a_);
-    const auto b = pose_in(*b_);
     GraphView::Chosen chosen{edge_, {}};
-    if (b) chosen.poses.emplace_back(*b, "B " + b_->text());
-    if (a) chosen.poses.emplace_back(*a, "A " + a_->text());
-    const auto pose = [&](std::uint32_t vertex) {
-        return graph->solved.graph.vertices[vertex].pose();
-    };
-    // What somebody has written belongs to the poses that it was written for.
-    if (!close_at_->isModified())
-        close_at_->setText(a && b && *a != *b ? pose_text(between(pose(*b), pose(*a))) : QString());
-    if (!fix_at_->isModified()) fix_at_->setText(a ? pose_text(pose(*a)) : QString());
+    if (const auto b = hand_->b()) chosen.poses.emplace_back(*b, "B " + hand_->b_id());
+    if (const auto a = hand_->a()) chosen.poses.emplace_back(*a, "A " + hand_->a_id());
     view_->choose(std::move(chosen));
     const auto row = std::ranges::find(
         model_->rows(), edge_, [](const GraphModel::Row& one) { return std::optional(one.edge); });
@@ -465,26 +345,13 @@ void GraphWindow::show_chosen() {
 
 void GraphWindow::show_state() {
     const auto graph = shown();
-    const auto a = graph ? pose_in(*a_) : std::nullopt;
-    const auto b = graph ? pose_in(*b_) : std::nullopt;
-    const bool both = a && b && *a != *b;
-    refuse_->setEnabled(both && joined(graph->solved.graph, *a, *b));
-    slip_->setEnabled(a.has_value());
-    close_at_->setEnabled(both);
-    close_->setEnabled(both && pose_of(*close_at_));
-    fix_at_->setEnabled(a.has_value());
-    fix_->setEnabled(a && pose_of(*fix_at_));
     undo_->setEnabled(changes_->can_undo());
     redo_->setEnabled(changes_->can_redo());
     before_->setEnabled(graph != nullptr);
     open_edits_->setEnabled(graph != nullptr);
     save_->setEnabled(graph && graph->stage == ShownGraph::Stage::solved && !busy());
     QStringList words{told_};
-    for (QLineEdit* line : {a_, b_}) {
-        const bool none = graph && !line->text().isEmpty() && !pose_in(*line);
-        set_look(*line, "state", none ? "wrong" : "good");
-        if (none) words << tr("The graph has no pose %1.").arg(line->text());
-    }
+    words << hand_->problems();
     words << graph_words(graph.get(), busy());
     words_->setText(words.join(' ').trimmed());
 }

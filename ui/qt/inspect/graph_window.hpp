@@ -18,13 +18,12 @@
 
 class QCheckBox;
 class QLabel;
-class QLineEdit;
 class QPushButton;
 class QSpinBox;
-class QVBoxLayout;
 
 namespace hitos::window {
 
+class GraphHand;
 class GraphModel;
 class GraphView;
 
@@ -53,10 +52,8 @@ class GraphWindow final : public QDialog {
   private:
     QWidget* made_tools();
     QWidget* made_column();
-    void add_changes(QVBoxLayout& column, QWidget* parent);
     QPushButton* made_button(QWidget* parent, const char* name, const QString& words,
                              const QString& tip, void (GraphWindow::*pressed)());
-    QLineEdit* made_number(QWidget* parent, const char* name, const QString& words);
 
     void take_graph();
     void make_room_for_table();
@@ -67,19 +64,12 @@ class GraphWindow final : public QDialog {
     void solve();
     /// Whether it was taken.
     bool change(std::vector<GraphEdit> edits);
-    void add(GraphEdit edit);
-    void refuse();
-    void close_loop();
-    void slip();
-    void fix();
+    void add(const GraphEdit& edit);
     void open_edits();
     void save();
 
-    std::optional<std::uint32_t> pose_in(const QLineEdit& line) const;
     void choose_edge(const std::optional<std::size_t>& edge);
     void take_pose(std::uint32_t vertex);
-    void set_poses(const QString& a, const QString& b);
-    void forget_written();
     void show_chosen();
     void show_state();
 
@@ -96,14 +86,7 @@ class GraphWindow final : public QDialog {
     QPushButton* before_ = nullptr;
     QPushButton* save_ = nullptr;
     QPushButton* open_edits_ = nullptr;
-    QLineEdit* a_ = nullptr;
-    QLineEdit* b_ = nullptr;
-    QLineEdit* close_at_ = nullptr;
-    QLineEdit* fix_at_ = nullptr;
-    QPushButton* refuse_ = nullptr;
-    QPushButton* slip_ = nullptr;
-    QPushButton* close_ = nullptr;
-    QPushButton* fix_ = nullptr;
+    GraphHand* hand_ = nullptr;
     GraphChanges* changes_ = nullptr;
     QLabel* words_ = nullptr;
     std::vector<GraphEdit> saved_;     ///< those that are written somewhere

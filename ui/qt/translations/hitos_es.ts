@@ -6885,6 +6885,61 @@
     </message>
 </context>
 <context>
+    <name>hitos::window::GraphHand</name>
+    <message>
+        <source>Pose A, by its id</source>
+        <translation>Pose A, por su número</translation>
+    </message>
+    <message>
+        <source>Pose B, by its id</source>
+        <translation>Pose B, por su número</translation>
+    </message>
+    <message>
+        <source>Refuse</source>
+        <translation>Rechazar</translation>
+    </message>
+    <message>
+        <source>Drops the edges between A and B</source>
+        <translation>Quita las aristas entre A y B</translation>
+    </message>
+    <message>
+        <source>Slip</source>
+        <translation>Patinó</translation>
+    </message>
+    <message>
+        <source>The step to A from the pose before it says next to nothing</source>
+        <translation>El paso a A desde la pose anterior no dice casi nada</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>An edge more: A is seen from B there, as sure as an eye is</source>
+        <translation>Una arista más: A se ve ahí desde B, con la seguridad de un ojo</translation>
+    </message>
+    <message>
+        <source>A seen from B: x, y [m] and heading [°]</source>
+        <translation>A vista desde B: x, y [m] y rumbo [°]</translation>
+    </message>
+    <message>
+        <source>Fix</source>
+        <translation>Fijar</translation>
+    </message>
+    <message>
+        <source>A is known to be there in the map</source>
+        <translation>Se sabe que A está ahí en el mapa</translation>
+    </message>
+    <message>
+        <source>A in the map: x, y [m] and heading [°]</source>
+        <translation>A en el mapa: x, y [m] y rumbo [°]</translation>
+    </message>
+    <message>
+        <source>The graph has no pose %1.</source>
+        <translation>El grafo no tiene ninguna pose %1.</translation>
+    </message>
+</context>
+<context>
     <name>hitos::window::GraphModel</name>
     <message>
         <source>From</source>
@@ -7005,52 +7060,8 @@
         <translation>Aristas de los errores mayores</translation>
     </message>
     <message>
-        <source>Pose A, by its id</source>
-        <translation>Pose A, por su número</translation>
-    </message>
-    <message>
-        <source>Pose B, by its id</source>
-        <translation>Pose B, por su número</translation>
-    </message>
-    <message>
-        <source>Refuse</source>
-        <translation>Rechazar</translation>
-    </message>
-    <message>
-        <source>Drops the edges between A and B</source>
-        <translation>Quita las aristas entre A y B</translation>
-    </message>
-    <message>
-        <source>Slip</source>
-        <translation>Patinó</translation>
-    </message>
-    <message>
-        <source>The step to A from the pose before it says next to nothing</source>
-        <translation>El paso a A desde la pose anterior no dice casi nada</translation>
-    </message>
-    <message>
-        <source>A seen from B: x, y [m] and heading [°]</source>
-        <translation>A vista desde B: x, y [m] y rumbo [°]</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Cerrar</translation>
-    </message>
-    <message>
-        <source>An edge more: A is seen from B there, as sure as an eye is</source>
-        <translation>Una arista más: A se ve ahí desde B, con la seguridad de un ojo</translation>
-    </message>
-    <message>
-        <source>A in the map: x, y [m] and heading [°]</source>
-        <translation>A en el mapa: x, y [m] y rumbo [°]</translation>
-    </message>
-    <message>
-        <source>Fix</source>
-        <translation>Fijar</translation>
-    </message>
-    <message>
-        <source>A is known to be there in the map</source>
-        <translation>Se sabe que A está ahí en el mapa</translation>
     </message>
     <message>
         <source>Changes by hand</source>
@@ -7143,10 +7154,6 @@
     <message>
         <source>Graph saved in %1.</source>
         <translation>Grafo guardado en %1.</translation>
-    </message>
-    <message>
-        <source>The graph has no pose %1.</source>
-        <translation>El grafo no tiene ninguna pose %1.</translation>
     </message>
     <message>
         <source>χ² %1, foreseen; it is being solved from the beginning.</source>
