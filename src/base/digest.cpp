@@ -11,6 +11,10 @@
 
 namespace hitos {
 
+std::uint32_t short_digest(std::string_view bytes) {
+    return static_cast<std::uint32_t>(XXH3_64bits(bytes.data(), bytes.size()));
+}
+
 void Digest::StateRelease::operator()(XXH3_state_s* state) const {
     XXH3_freeState(state);
 }

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <utility>
 
+#include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/capture/odometry_track.hpp"
 #include "remedies.hpp"
+#include "stamp_doubts.hpp"
 
 namespace hitos {
 namespace {
@@ -39,27 +41,6 @@ void scale(OdometryRecord& record, double factor) {
 void turn(Twist& twist, double factor) {
     twist.w *= factor;
     if (factor < 0.0) twist.v_lateral = -twist.v_lateral;
-}
-
-/// Of scans and of odometry.
-void tell_return(const StampReturns& of_scans, const StampReturns& of_odometry,
-                 const ReadReport& report, std::vector<TourFinding>& found) {
-    const bool scans =
-        of_scans.rare() && (!of_odometry.rare() || of_scans.most_s > of_odometry.most_s);
-    const StampReturns& returns = scans ? of_scans : of_odometry;
-    if (!returns.rare()) return;
-    found.push_back(
-        {TourFinding::Kind::clock_back,
-         returns.most_s,
-         message(HITOS_TEXT("Errors",
-                            "the clock goes back, at %1 s by %2 s: a recording that was played "
-                            "again, or a clock that was set; scans behind that are taken to be of "
-                            "times that were, and lie anywhere (%3)"),
-                 fmt::format("{:.1f}", returns.at_s), fmt::format("{:.1f}", returns.most_s),
-                 report.place(returns.line)),
-         {{marked(HITOS_TEXT("Errors",
-                             "record or play the tour once; of a log that goes back, make a log of "
-                             "each part, and go on with the map of the first"))}}});
 }
 
 }  // namespace
@@ -147,6 +128,7 @@ std::optional<Scan> Procesador::read_scan() {
             std::optional<Scan> scan =
                 line ? conversor_scans_->scan(*line) : conversor_scans_->last_scan();
             if (scan) {
+                if (line) scan->mark.value = short_digest(line->text);
                 const double time_s = scan->time_s;
                 const std::uint64_t number = scan->line;
                 scans_.add(time_s, number, *std::move(scan));
@@ -238,7 +220,8 @@ std::vector<TourFinding> Procesador::findings() const {
                                  "let the driver say how long it takes from one ray to the next "
                                  "(time_increment)"))}}});
     }
-    tell_return(scan_returns_, odometry_returns_, report_, found);
+    doubt_returns(scan_returns_, odometry_returns_, report_, found);
+    doubt_broken_stamps(scans_.broken(), records_.broken(), found);
     steps_.tell(found, options_);
     const auto still = [&](OdometryFrom asked, Message what, Remedy remedy) {
         if (options_.odometry != asked || report_.odometry < 2) return;

@@ -121,7 +121,10 @@ Remedy take_poses() {
 
 Remedy map_with_registration() {
     return {marked(HITOS_TEXT(
-        "Errors", "map it with registration, which finds what is left of it: --preset recorded"))};
+                "Errors",
+                "map it with registration, which finds what is left of it: --preset recorded")),
+            {},
+            true};
 }
 
 std::string options_of(const std::vector<SourceSetting>& settings) {

@@ -10,6 +10,7 @@ namespace {
 
 constexpr StampJudge::Verdict kWait{};
 constexpr StampJudge::Verdict kGoesOn{1, false};
+constexpr double kFarOfPace = 20.0;  // where stamps are not of seconds
 
 }  // namespace
 
@@ -21,23 +22,28 @@ StampJudge::Verdict StampJudge::judge(const std::deque<double>& times_s, bool en
     return kGoesOn;
 }
 
+/// A driver's first messages may be of another clock than all behind them.
 StampJudge::Verdict StampJudge::judge_first(const std::deque<double>& times_s, bool ended) const {
-    if (times_s.size() == 1) return ended ? kGoesOn : kWait;
-    const bool back = !follows(times_s[0], times_s[1]);
-    const bool far = times_s[1] > times_s[0] + kNoPause;
-    if (!back && !far) return kGoesOn;
-    if (times_s.size() == 2) return ended ? kGoesOn : kWait;
-    // Of three the two that are of one line are right.
-    const bool of_the_others =
-        follows(times_s[1], times_s[2]) && (far || !follows(times_s[0], times_s[2]));
-    return {1, of_the_others};
+    const std::size_t known = std::min(times_s.size(), kRun + 1);
+    if (known <= kRun && !ended) return kWait;
+    const auto goes_on = [&](double time_s, double next_s) {
+        return follows(time_s, next_s) && next_s <= time_s + kNoPause;
+    };
+    std::size_t run = 1;
+    while (run < known && goes_on(times_s[run - 1], times_s[run])) ++run;
+    // Of two lines that of the fewer is broken, unless it goes on behind the other.
+    std::size_t others = 0;
+    for (std::size_t i = run; i < known; ++i) {
+        if (goes_on(times_s[0], times_s[i])) return kGoesOn;
+        if (goes_on(times_s[run], times_s[i])) ++others;
+    }
+    return others > run ? Verdict{run, true} : kGoesOn;
 }
 
 /// Broken where the line goes on behind it as if it had not been.
 StampJudge::Verdict StampJudge::judge_ahead(const std::deque<double>& times_s, bool ended) const {
     const double first_s = times_s.front();
-    const bool far = first_s > *last_s_ + kNoPause;
-    const std::size_t wanted = far ? kRun : 2;
+    const std::size_t wanted = first_s > *last_s_ + kShortPause ? kRun : 2;
     std::size_t of_its_line = 1;
     for (std::size_t i = 1; i < times_s.size(); ++i) {
         if (follows(first_s, times_s[i])) {
@@ -47,7 +53,8 @@ StampJudge::Verdict StampJudge::judge_ahead(const std::deque<double>& times_s, b
         }
     }
     if (times_s.size() > kRun) return kGoesOn;
-    return ended ? Verdict{1, far} : kWait;
+    if (!ended) return kWait;
+    return {1, first_s > *last_s_ + std::max(kNoPause, kFarOfPace * slack_s())};
 }
 
 /// Broken where the line it left goes on soon, by a leap and not in its own time.
@@ -74,6 +81,14 @@ double StampJudge::slack_s() const {
 }
 
 void StampReturns::note(double time_s, std::uint64_t of_line) {
+    if (stamps == 0) first_s = time_s;
+    if (stamps > 0 && time_s < last_s) ++backwards;
+    if (stamps > 0 && time_s - last_s > kLongest) ++leaps;
+    if (stamps > 0 && time_s - last_s > farthest_s) {
+        farthest_s = time_s - last_s;
+        farthest_at_s = last_s;
+        farthest_line = of_line;
+    }
     // Of the stamp before this one, where this one does not go ahead again.
     const double back_s = ++stamps > 2 ? before_s - last_s : 0.0;
     if (back_s > kOutOfOrder && before_s - time_s > kOutOfOrder) {

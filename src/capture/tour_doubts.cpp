@@ -18,13 +18,14 @@ namespace {
 
 using Kind = TourFinding::Kind;
 
-constexpr std::array<std::string_view, 30> kWords{
-    "clocks-apart",   "scan-delay",      "late-stamps",    "ray-times",        "parts-of-a-turn",
-    "clock-speed",    "clock-set",       "clock-back",     "coarse-stamps",    "assumed-mounting",
-    "two-publishers", "mirrored-laser",  "turned-laser",   "wrong-fan",        "misplaced-laser",
-    "no-odometry",    "unread-odometry", "still-odometry", "leaping-odometry", "sideways-odometry",
-    "odometry-scale", "odometry-turns",  "odometry-units", "laser-units",      "beyond-a-turn",
-    "blind-laser",    "self-hits",       "frozen-laser",   "unfit-odometry",   "unsure-drawing"};
+constexpr std::array<std::string_view, 31> kWords{
+    "clocks-apart",      "scan-delay",     "late-stamps",     "ray-times",      "parts-of-a-turn",
+    "clock-speed",       "clock-set",      "clock-back",      "broken-stamps",  "coarse-stamps",
+    "assumed-mounting",  "two-publishers", "mirrored-laser",  "turned-laser",   "wrong-fan",
+    "misplaced-laser",   "no-odometry",    "unread-odometry", "still-odometry", "leaping-odometry",
+    "sideways-odometry", "odometry-scale", "odometry-turns",  "odometry-units", "laser-units",
+    "beyond-a-turn",     "blind-laser",    "self-hits",       "frozen-laser",   "unfit-odometry",
+    "unsure-drawing"};
 
 /// As kWayShown, where no laser is as the readings say: slow robots show little.
 constexpr double kWayShownOfNone = 0.03;

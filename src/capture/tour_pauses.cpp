@@ -46,7 +46,7 @@ Pose nearest_fit(const Agreement& agreement) {
 
 /// Called before the scan is noted.
 void TourExamination::note_pause(const Scan& scan) {
-    constexpr double kShortest = 5.0;  // [s]
+    constexpr double kShortest = 2.0;  // [s]
     constexpr std::size_t kMostPauses = 16;
     if (last_points_.empty() || scan.points.empty()) return;
     const double seconds = scan.time_s - last_scan_s_;

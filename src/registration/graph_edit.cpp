@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <system_error>
 #include <utility>
 
 #include "hitos/base/text_input.hpp"
@@ -38,7 +40,7 @@ struct Origin {
     }
 };
 
-/// "812@65.25"
+/// "812@65.25~9f3a1c2b"
 std::optional<EditedScan> scan_of(std::string_view word) {
     const std::size_t at = word.find('@');
     const auto number = input::parse_number(word.substr(0, at));
@@ -47,8 +49,15 @@ std::optional<EditedScan> scan_of(std::string_view word) {
     }
     EditedScan scan{static_cast<std::uint64_t>(*number) - 1};
     if (at == std::string_view::npos) return scan;
-    scan.stamp_s = input::parse_number(word.substr(at + 1));
+    const std::size_t mark = std::min(word.find('~', at), word.size());
+    scan.stamp_s = input::parse_number(word.substr(at + 1, mark - at - 1));
     if (!scan.stamp_s || !std::isfinite(*scan.stamp_s)) return std::nullopt;
+    if (mark == word.size()) return scan;
+    const std::string_view digits = word.substr(mark + 1);
+    constexpr int kHexadecimal = 16;
+    const char* const end = digits.data() + digits.size();
+    const auto read = std::from_chars(digits.data(), end, scan.mark, kHexadecimal);
+    if (read.ec != std::errc() || read.ptr != end || scan.mark == 0) return std::nullopt;
     return scan;
 }
 
@@ -123,8 +132,9 @@ GraphEdit edit_of(std::string_view text, std::size_t number, const Origin& of) {
 }
 
 std::string text_of(const EditedScan& scan) {
-    return scan.stamp_s ? fmt::format("{}@{}", scan.scan + 1, *scan.stamp_s)
-                        : fmt::format("{}", scan.scan + 1);
+    if (!scan.stamp_s) return fmt::format("{}", scan.scan + 1);
+    return scan.mark == 0 ? fmt::format("{}@{}", scan.scan + 1, *scan.stamp_s)
+                          : fmt::format("{}@{}~{:08x}", scan.scan + 1, *scan.stamp_s, scan.mark);
 }
 
 /// Of two changes only one can be so.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "graph_editor.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -40,7 +42,17 @@ void GraphEditor::check(std::uint64_t number, const Scan& scan) const {
     for (std::size_t i = 0; i < edits_.size(); ++i) {
         for (const EditedScan& named : {edits_[i].scan, edits_[i].earlier}) {
             if (named.scan != number || !named.stamp_s) continue;
-            if (std::abs(*named.stamp_s - scan.stamp_s()) <= kSameStamp) continue;
+            if (std::abs(*named.stamp_s - scan.stamp_s()) <= kSameStamp) {
+                const std::uint32_t mark = scan.mark.value;
+                if (named.mark == 0 || mark == 0 || named.mark == mark) continue;
+                throw ConfigError(
+                    kGraphEditsKey,
+                    HITOS_TEXT("Errors",
+                               "change %1 is of another tour: scan %2 was another one when it was "
+                               "made, of the same time; where it is the same in another format, "
+                               "take the \"~%3\" out"),
+                    i + 1, number + 1, fmt::format("{:08x}", named.mark));
+            }
             throw ConfigError(kGraphEditsKey,
                               HITOS_TEXT("Errors",
                                          "change %1 is of another tour, or of this one read "

@@ -212,6 +212,15 @@ TEST_F(LoopsTest, ChangesThatDoNotFitAreRefusedWithTheReason) {
     EXPECT_THAT(said("--edits " + file("slip.toml", "[registration]\nedits = \"slip 3\"\n") +
                      " --set 'registration.edits=slip 4'"),
                 HasSubstr("give one of them"));
+    // Another tour of the same pace, whose scans have the same stamps.
+    ASSERT_EQ(run("made", "--set 'registration.edits=slip 50'").status, 0);
+    const std::string other = path("other.log");
+    ASSERT_EQ(
+        test::shell(cli_ + " simulate recinto --seed 4 --format carmen --out " + other).status, 0);
+    const test::Outcome refused = test::shell(cli_ + " run " + other + " --preset recorded --out " +
+                                              path("bad") + " --edits " + path("made/edits.toml"));
+    EXPECT_NE(refused.status, 0);
+    EXPECT_THAT(refused.output, HasSubstr("scan 50 was another one when it was made"));
     // One that lies on nothing is closed, and told.
     const test::Outcome absurd = run("absurd", "--set 'registration.edits=close 400 20 50 0 0'");
     EXPECT_EQ(absurd.status, 0);

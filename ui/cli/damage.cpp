@@ -45,7 +45,9 @@ std::string damage_text(const ReadReport& report) {
 }
 
 std::string words_of(const TourFinding& finding) {
-    return fmt::format("{}; {}", finding.what.english(), advice_of(finding).english());
+    const std::string advice = advice_of(finding).english();
+    return advice.empty() ? finding.what.english()
+                          : fmt::format("{}; {}", finding.what.english(), advice);
 }
 
 }  // namespace hitos::cli

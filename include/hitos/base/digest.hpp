@@ -2,6 +2,7 @@
 // Tells changed bytes from unchanged ones.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -10,6 +11,9 @@
 struct XXH3_state_s;
 
 namespace hitos {
+
+/// XXH3, of 64 bits 32: for what is told from few others.
+std::uint32_t short_digest(std::string_view bytes);
 
 /// XXH3, 128 bits: tells changed input from unchanged; no protection against forgery.
 class Digest {

@@ -89,15 +89,20 @@ class FormatError : public Error {
 class ConfigError : public Error {
   public:
     ConfigError(std::string key, const Message& problem)
-        : Error(hitos::message("%1: %2", on_one_line(key), problem)), key_(std::move(key)) {}
+        : Error(hitos::message("%1: %2", on_one_line(key), problem)),
+          key_(std::move(key)),
+          problem_(problem) {}
     template <class... Arguments>
     ConfigError(std::string key, MessageText<sizeof...(Arguments)> text,
                 const Arguments&... arguments)
         : ConfigError(std::move(key), hitos::message(text, arguments...)) {}
     const std::string& key() const { return key_; }
+    /// Without the key.
+    const Message& problem() const { return problem_; }
 
   private:
     std::string key_;
+    Message problem_;
 };
 
 inline Message out_of_memory() {

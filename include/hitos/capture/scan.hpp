@@ -63,6 +63,13 @@ struct LandmarkSighting {
     friend bool operator==(const LandmarkSighting&, const LandmarkSighting&) = default;
 };
 
+/// Tells a scan from those of other logs, whatever is made of it: of its line, or of what a
+/// simulated one sees. 0: not known. Two scans may be equal that were written otherwise.
+struct ScanMark {
+    std::uint32_t value = 0;
+    friend bool operator==(const ScanMark& /*a*/, const ScanMark& /*b*/) { return true; }
+};
+
 /// One scan: the points that were hit, in the ROBOT frame [m] (the sensor frame moved by the
 /// mounting pose where the log gives one), in ray order. Rays without a usable reading leave no
 /// point but end a run of neighbours.
@@ -72,12 +79,13 @@ struct Scan {
     std::vector<std::uint32_t> run_starts;  ///< index of the first point of each run of neighbours
     std::vector<std::uint32_t> rays;        ///< ray number of each point; empty: unknown
     std::vector<LandmarkSighting> landmarks;  ///< that a sensor told by themselves
-    std::vector<float> times_s;     ///< of each point, from time_s on; empty: all of one time
-    float first_s = 0.0F;           ///< when its first point was measured, and its last, from
-    float last_s = 0.0F;            ///< time_s on, where they were moved to where they lay then
-    Fan fan;                        ///< count == 0: unknown (normalised logs)
-    std::uint64_t line = 0;         ///< 1-based line of the log
-    bool carries_odometry = false;  ///< the same line is an odometry reading too
+    std::vector<float> times_s;  ///< of each point, from time_s on; empty: all of one time
+    float first_s = 0.0F;        ///< when its first point was measured, and its last, from
+    float last_s = 0.0F;         ///< time_s on, where they were moved to where they lay then
+    Fan fan;                     ///< count == 0: unknown (normalised logs)
+    std::uint64_t line = 0;      ///< 1-based line of the log
+    ScanMark mark;
+    bool carries_odometry = false;         ///< the same line is an odometry reading too
     std::optional<TourBegin> begins_tour;  ///< where another tour came before
     double delay_s = 0.0;  ///< what was added to the logged stamp (source.scan_delay)
 

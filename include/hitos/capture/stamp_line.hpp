@@ -15,7 +15,8 @@ namespace hitos {
 
 /// Where stamps go back to times that were, and stay there.
 struct StampReturns {
-    static constexpr double kOutOfOrder = 2.0;  ///< less is out of order only [s]
+    static constexpr double kOutOfOrder = 2.0;   ///< less is out of order only [s]
+    static constexpr double kLongest = 86400.0;  ///< nobody drives on after more [s]
 
     void note(double time_s, std::uint64_t line);
     /// Stamps of two clocks in turn go to and fro.
@@ -28,8 +29,23 @@ struct StampReturns {
     double last_s = 0.0;
     std::uint64_t last_line = 0;
     double most_s = 0.0;
-    double at_s = 0.0;       ///< of that one, the last stamp before it,
-    std::uint64_t line = 0;  ///< and the line behind it
+    double at_s = 0.0;            ///< of that one, the last stamp before it,
+    std::uint64_t line = 0;       ///< and the line behind it
+    std::uint64_t backwards = 0;  ///< stamps that are before the last one
+    double first_s = 0.0;
+    std::uint64_t leaps = 0;          ///< steps ahead that no tour has
+    double farthest_s = 0.0;          ///< the longest step ahead,
+    double farthest_at_s = 0.0;       ///< from where,
+    std::uint64_t farthest_line = 0;  ///< and the line behind it
+};
+
+/// How many of a sequence's stamps are out of line, and what they stamped left out.
+struct BrokenStamps {
+    std::uint64_t stamps = 0;
+    std::uint64_t left_out = 0;
+    friend BrokenStamps operator+(const BrokenStamps& a, const BrokenStamps& b) {
+        return {a.stamps + b.stamps, a.left_out + b.left_out};
+    }
 };
 
 /// Tells stamps that are broken from clocks that were set, by what comes behind them: a few that
@@ -37,8 +53,9 @@ struct StampReturns {
 /// them, the clock was set or the tour played again.
 class StampJudge {
   public:
-    static constexpr double kNoPause = 3600.0;  ///< what waits longer is asked more closely [s]
-    static constexpr std::size_t kRun = 8;      ///< of so many in a row a line is made
+    static constexpr double kShortPause = 10.0;  ///< what waits longer is asked more closely [s]
+    static constexpr double kNoPause = 30.0 * 86400.0;  ///< no tour has one so long [s]
+    static constexpr std::size_t kRun = 8;              ///< of so many in a row a line is made
 
     /// What is to be done with the first that wait.
     struct Verdict {
@@ -93,11 +110,12 @@ class StampLine {
                 judge_.went_on(times_s_.front());
                 items_.pop_front();
                 times_s_.pop_front();
+                ++broken_.stamps;
                 return std::optional<Item>(std::move(item));
             }
             std::optional<double> next_s;
             if (verdict.count < times_s_.size()) next_s = times_s_[verdict.count];
-            for (std::size_t i = 0; i < verdict.count; ++i) {
+            for (std::size_t i = 0; i < verdict.count; ++i, ++broken_.stamps, ++broken_.left_out) {
                 left_out(items_.front().first, judge_.problem(times_s_.front(), next_s));
                 items_.pop_front();
                 times_s_.pop_front();
@@ -106,9 +124,11 @@ class StampLine {
         return std::nullopt;
     }
     std::uint64_t returns() const { return judge_.returns(); }
+    BrokenStamps broken() const { return broken_; }
 
   private:
     StampJudge judge_;
+    BrokenStamps broken_;
     std::deque<double> times_s_;
     std::deque<std::pair<std::uint64_t, Item>> items_;
     bool ended_ = false;

@@ -24,6 +24,7 @@ struct SourceSetting {
 struct Remedy {
     Message words;
     std::vector<SourceSetting> settings = {};  ///< all of them together; where none, words alone
+    bool registration = false;                 ///< to map it with registration
 };
 
 /// Something that a map would show wrong although every line of the tour can be read.
@@ -37,19 +38,21 @@ struct TourFinding {
         clock_speed,  ///< the laser's clock runs at another speed; value: to be added a second [s]
         clock_set,    ///< it was set during the tour; value: to be added besides from then on [s]
         clock_back,   ///< a sequence's stamps go back to times that were; value: by how much [s]
-        coarse_stamps,      ///< several scans share a time; value: share of those
-        assumed_mounting,   ///< nothing says where the laser sits; value: the lasers
-        two_publishers,     ///< a frame goes to and fro between two places; value: how often
-        mirrored_laser,     ///< the scans turn against the odometry; value: 1
-        turned_laser,       ///< the scans move where the odometry does not; value: turn to the left
-                            ///< [rad]
-        wrong_fan,          ///< its rays go over another angle; value: that, by the scans [rad]
-        misplaced_laser,    ///< it does not sit where the recording says; value: how far off [m]
-        no_odometry,        ///< there are scans and no odometry; value: the scans
-        unread_odometry,    ///< its messages cannot be read, the transforms are taken; value: those
-        still_odometry,     ///< the scans change and the odometry does not; value: 0, or for how
-                            ///< long [s]
-        leaping_odometry,   ///< steps that no robot makes in their time; value: the longest [m]
+        broken_stamps,     ///< many are out of line, or of no tour's time; value: share of them, or
+                           ///< the step [s]
+        coarse_stamps,     ///< several scans share a time; value: share of those
+        assumed_mounting,  ///< nothing says where the laser sits; value: the lasers
+        two_publishers,    ///< a frame goes to and fro between two places; value: how often
+        mirrored_laser,    ///< the scans turn against the odometry; value: 1
+        turned_laser,      ///< the scans move where the odometry does not; value: turn to the left
+                           ///< [rad]
+        wrong_fan,         ///< its rays go over another angle; value: that, by the scans [rad]
+        misplaced_laser,   ///< it does not sit where the recording says; value: how far off [m]
+        no_odometry,       ///< there are scans and no odometry; value: the scans
+        unread_odometry,   ///< its messages cannot be read, the transforms are taken; value: those
+        still_odometry,    ///< the scans change and the odometry does not; value: 0, or for how
+                           ///< long [s]
+        leaping_odometry,  ///< steps that no robot makes in their time; value: the longest [m]
         sideways_odometry,  ///< always off where the robot looks; value: by that, to the left; or
                             ///< headings that turn against its way; value: both together [rad]
         odometry_scale,  ///< it counts too far or too short; value: the way by the scans over its

@@ -20,10 +20,12 @@ inline constexpr const char* kGraphEditsKey = "registration.edits";
 /// [m] Of less of a drawing's wall nobody knows the direction.
 inline constexpr double kShortestWall = 0.1;
 
-/// A scan of the tour, from 0, and its stamp where it was noted: a change belongs to one tour.
+/// A scan of the tour, from 0, with its stamp and its mark (ScanMark) where they were noted: a
+/// change belongs to one tour.
 struct EditedScan {
     std::uint64_t scan = 0;
     std::optional<double> stamp_s = std::nullopt;
+    std::uint32_t mark = 0;
     friend bool operator==(const EditedScan&, const EditedScan&) = default;
 };
 
@@ -73,7 +75,8 @@ std::optional<GraphEdit::Kind> edit_kind_of(std::string_view word);
 
 /// Of "refuse 812@65.25 40; close 900 37 0.1 -0.2 1.57; fix 30 1 2 0; slip 55; wall 70 1.57 0 9 4
 /// 9; point 80 2 -1 4 9": changes with semicolons or line ends between, each of a word, its scans,
-/// counted from 1, with their stamps [s] where they are known, and its numbers: a pose, a bearing
+/// counted from 1, with their stamps [s] and marks ("812@65.25~9f3a1c2b") where they are known, and
+/// its numbers: a pose, a bearing
 /// and a wall's left and right end, or a place seen and in the drawing; # begins a comment, which
 /// the change before it on its line keeps. Throws ConfigError of kGraphEditsKey that says which one
 /// is wrong.
@@ -93,7 +96,7 @@ PlacedEdits parse_vertex_edits(std::string_view text, const std::string& name);
 /// The error that the change of that number, from 1, is wrong.
 FormatError wrong_edit(const PlacedEdits& edits, std::size_t number, const Message& why);
 
-/// Whether they do the same: but for stamps and comments they are equal.
+/// Whether they do the same: but for stamps, marks and comments they are equal.
 bool same_change(const GraphEdit& a, const GraphEdit& b);
 /// Whether one of them does the same.
 bool has_change(std::span<const GraphEdit> edits, const GraphEdit& edit);

@@ -29,6 +29,8 @@ using boost::system::error_code;
 
 constexpr std::string_view kScheme = "ws://";
 constexpr std::string_view kSecureScheme = "wss://";
+constexpr std::string_view kPage = "http://";
+constexpr std::string_view kSecurePage = "https://";
 constexpr std::chrono::seconds kPatience(5);  // to connect
 constexpr std::chrono::seconds kSilence(10);  // after which a link that answers no ping is dead
 constexpr std::chrono::milliseconds kLook(20);
@@ -43,7 +45,10 @@ bool begins(std::string_view url, std::string_view scheme) {
 
 [[noreturn]] void refuse(const std::string& url) {
     throw ConfigError(
-        "log", HITOS_TEXT("Errors", "found \"%1\", expected an address as ws://HOST:PORT"), url);
+        "log",
+        HITOS_TEXT("Errors",
+                   "found \"%1\", expected an address as ws://HOST:PORT, the port up to 65535"),
+        url);
 }
 
 ConnectionError lost(const std::string& url, const error_code& error) {
@@ -54,10 +59,15 @@ ConnectionError lost(const std::string& url, const error_code& error) {
 }  // namespace
 
 bool is_websocket_address(std::string_view source) {
-    if (begins(source, kScheme) || begins(source, kSecureScheme)) return true;
-    const auto place = host_and_port(source);
+    for (const std::string_view scheme : {kScheme, kSecureScheme, kPage, kSecurePage})
+        if (begins(source, scheme)) return true;
+    // Whatever the number: no file is called so.
+    const std::size_t colon = source.rfind(':');
+    const bool numbered =
+        colon != std::string_view::npos && colon > 0 && colon + 1 < source.size() &&
+        std::ranges::all_of(source.substr(colon + 1), [](char c) { return c >= '0' && c <= '9'; });
     std::error_code unknown;
-    return place && place->port && source.find('/') == std::string_view::npos &&
+    return numbered && source.find('/') == std::string_view::npos &&
            !std::filesystem::exists(std::filesystem::path(source), unknown);
 }
 

@@ -7,6 +7,7 @@
 #include "hitos/base/error.hpp"
 #include "read_extent.hpp"
 #include "ros/recording_lines.hpp"
+#include "stamp_doubts.hpp"
 
 namespace hitos {
 namespace {
@@ -98,6 +99,9 @@ std::vector<TourFinding> RecordingSource::findings() const {
     std::vector<TourFinding> found = plan_->topics.findings;
     parts_.tell(found);
     limits_.tell(found);
+    BrokenStamps of_scans;
+    for (const auto& [laser, arrived] : arrived_scans_) of_scans = of_scans + arrived.broken();
+    doubt_broken_stamps(of_scans, arrived_readings_.broken(), found);
     if (std::ranges::count(found, TourFinding::Kind::blind_laser, &TourFinding::kind) == 0) {
         std::ranges::move(recording_doubts(*this, plan_->options), std::back_inserter(found));
     }

@@ -339,6 +339,11 @@ RunQuality judge(const RunEvidence& run, const Trajectory& path,
     quality.warnings = warnings(run);
     if (doubts.valid()) quality.findings = doubts.get();
     if (run.registration != nullptr) {
+        // Nobody is told to do what is done.
+        if (quality.findings) {
+            for (TourFinding& finding : *quality.findings)
+                std::erase_if(finding.remedies, &Remedy::registration);
+        }
         quality.registration = run.registration->figures();
         quality.loops =
             run_loops(run.registration->loops(), run.registration->refused_loops(), path);

@@ -277,6 +277,7 @@ bool Grid::keep_rays_that_fit(double laser_u, double laser_v) {
     CellArea all = united(box, extent(laser_u, laser_v));
     if (too_great(all)) {
         ++scans_left_out_;
+        wanted_ = united(wanted_, all);
         if (too_great(box)) return false;
         std::erase_if(rays_, [&](const Ray& ray) {
             const CellArea with = with_cell(box, ray.u, ray.v);
@@ -289,6 +290,22 @@ bool Grid::keep_rays_that_fit(double laser_u, double laser_v) {
     }
     hold(all);
     return true;
+}
+
+double Grid::resolution_for_all() const {
+    constexpr double kStep = 1.25;
+    CellArea all = united(wanted_, area());
+    double times = 1.0;
+    const auto scaled = [&](std::int64_t cell) {
+        return static_cast<std::int64_t>(std::floor(static_cast<double>(cell) / times));
+    };
+    CellArea coarser = all;
+    while (!coarser.empty() && too_great(coarser)) {
+        times *= kStep;
+        coarser = {scaled(all.first_column), scaled(all.first_row), scaled(all.end_column) + 1,
+                   scaled(all.end_row) + 1};
+    }
+    return times * params_.resolution_m;
 }
 
 CellArea Grid::area() const {

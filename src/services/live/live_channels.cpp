@@ -73,6 +73,7 @@ json run_schema() {
                                        {"lines", integer()},
                                        {"corners", integer()},
                                        {"particles", integer()}});
+    schema["properties"]["tour_s"] = number();
     schema["properties"]["behind_s"] = number();
     return schema;
 }

@@ -190,6 +190,10 @@ std::string run_message(const LiveState& state) {
         fmt::format(R"({{"timestamp":{},"scans":{},"lines":{},"corners":{},"particles":{})",
                     time_text(snapshot), snapshot.steps, lines,
                     std::ssize(snapshot.best_map) - lines, snapshot.hypotheses.size());
+    if (!snapshot.best_trajectory.empty()) {
+        const auto& path = snapshot.best_trajectory;
+        text += fmt::format(R"(,"tour_s":{:.3f})", path.back().time_s - path.front().time_s);
+    }
     if (state.behind_s) text += fmt::format(R"(,"behind_s":{:.3f})", *state.behind_s);
     return text + "}";
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -124,9 +125,9 @@ Message why_not_whole(const Grid& grid, const Trajectory& path) {
     if (kFew * grid.scans_left_out() <= path.size()) return {};
     return message(HITOS_TEXT("Errors",
                               "%1 of %2 scans lie beyond what a grid can hold (%3 million cells); "
-                              "a coarser one holds them: --set grid.resolution=%4"),
+                              "one of %4 m a cell holds them all (grid.resolution)"),
                    grid.scans_left_out(), path.size(), kMostGridCells / 1'000'000,
-                   fmt::format("{:.3g}", 4.0 * grid.resolution_m()));
+                   fmt::format("{:.2g}", 1.05 * grid.resolution_for_all()));
 }
 
 /// The grid as .png, a pixel a cell at least, and as .jpg to look at, with the path over it.
@@ -155,17 +156,37 @@ RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
     return output({stem + ".png", stem + ".jpg"}, write);
 }
 
-/// The changes by hand with the stamps of their scans, so that no other tour takes them.
+/// Of the scans that have a stamp; none where the log cannot be read any more.
+void note_marks(const FinishedRun& finished, std::vector<GraphEdit>& edits) {
+    std::multimap<std::uint64_t, EditedScan*> named;
+    for (GraphEdit& edit : edits) {
+        for (EditedScan* scan : {&edit.scan, &edit.earlier})
+            if (scan->stamp_s) named.emplace(scan->scan, scan);
+    }
+    try {
+        const std::unique_ptr<TourReader> reader = finished.run.reader().reopen();
+        auto next = named.begin();
+        for (std::uint64_t number = 0; next != named.end(); ++number) {
+            const std::optional<Scan> scan = reader->next_scan();
+            if (!scan) return;
+            for (; next != named.end() && next->first == number; ++next)
+                next->second->mark = scan->mark.value;
+        }
+    } catch (const FileError&) {
+    }
+}
+
+/// The changes by hand with the stamps and marks of their scans, so that no other tour takes them.
 std::string edits_text(const FinishedRun& finished) {
     const Configuracion& configuration = finished.run.configuration();
     std::vector<GraphEdit> edits = parse_graph_edits(configuration.registration.edits);
-    const auto note = [&](EditedScan& scan) {
-        if (scan.scan < finished.best.size()) scan.stamp_s = finished.best[scan.scan].time_s;
-    };
     for (GraphEdit& edit : edits) {
-        note(edit.scan);
-        if (edit.of_two()) note(edit.earlier);
+        for (EditedScan* scan : {&edit.scan, &edit.earlier}) {
+            if (scan->scan < finished.best.size() && (scan == &edit.scan || edit.of_two()))
+                scan->stamp_s = finished.best[scan->scan].time_s;
+        }
     }
+    note_marks(finished, edits);
     return ArchivoConfiguracion::edits_text(
         fmt::format("What was changed by hand in the graph of {}; hitos-cli run LOG --edits "
                     "edits.toml does it again. docs/formats.md says what each change does.",

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/capture/archivo.hpp"
@@ -67,6 +68,8 @@ SimulatedTourReader::SimulatedTourReader(std::shared_ptr<const SimulatedTour> to
 std::optional<Scan> SimulatedTourReader::next_scan() {
     while (taken_ < tour_->scans()) {
         Scan scan = tour_->scan(taken_++);
+        scan.mark.value = short_digest({reinterpret_cast<const char*>(scan.points.data()),
+                                        scan.points.size() * sizeof(Point2)});
         while (readings_before_ < tour_->readings() &&
                tour_->reading_time(readings_before_) <= scan.time_s) {
             ++readings_before_;

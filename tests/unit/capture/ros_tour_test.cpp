@@ -141,7 +141,9 @@ TEST_F(RosTour, BrokenStampsAreLeftOutAndWhatIsPlayedAgainComesInItsOrder) {
     EXPECT_EQ(tenth.scans.size(), 270U);
     EXPECT_EQ(tenth.odometry.size(), 270U);
     EXPECT_EQ(tenth.report.skipped, 60U);
-    EXPECT_TRUE(tenth.findings.empty());
+    ASSERT_EQ(tenth.findings.size(), 1U);
+    EXPECT_EQ(tenth.findings[0].kind, TourFinding::Kind::broken_stamps);
+    EXPECT_NEAR(tenth.findings[0].value, 0.1, 1e-9);
     EXPECT_NEAR(test::summed(tenth.odometry).back().x, 0.1 * (kScans - 1), 1e-9);
     const Log ahead = with_stamps([](std::uint32_t i) {
         return i == 100 || i == kScans - 1 ? Stamp{4'000'000'000, 0} : Stamp{1'700'000'000 + i, 0};

@@ -28,7 +28,7 @@ std::string said_of(const std::string& text) {
 
 TEST(GraphEdit, ReadsWhatItWrites) {
     const std::vector<GraphEdit> edits{
-        {GraphEdit::Kind::refuse, {811, 65.25}, {39}},
+        {GraphEdit::Kind::refuse, {811, 65.25, 0x9f3a1c2bU}, {39}},
         {GraphEdit::Kind::close, {899}, {36, -1.0 / 3.0}, {0.1, -1.0 / 7.0, 3.0}},
         {GraphEdit::Kind::fix, {29, 1e9 + 0.125}, {}, {1.0, 2.0, 0.0}},
         {GraphEdit::Kind::slip, {54}},
@@ -41,7 +41,7 @@ TEST(GraphEdit, ReadsWhatItWrites) {
     const std::string text = text_of(edits);
     EXPECT_EQ(parse_graph_edits(text), edits);
     EXPECT_EQ(text_of(parse_graph_edits(text)), text);
-    EXPECT_THAT(text, HasSubstr("refuse 812@65.25 40; close 900 37@"));
+    EXPECT_THAT(text, HasSubstr("refuse 812@65.25~9f3a1c2b 40; close 900 37@"));
 }
 
 TEST(GraphEdit, LinesCommentsAndNothing) {

@@ -162,9 +162,11 @@ QString StatusLine::running_words(const Progress& progress) const {
     if (!tour || !session_.is_live()) return tr("Running");
     if (!tour->source().link().connected) return tr("Connection lost");
     const double behind_s = tour->waiting_s(progress.steps).value_or(0.0);
-    if (behind_s >= LiveSource::kWorthSaying) return tr("Live, %1 s behind").arg(behind_s, 0, 'f', 0);
+    if (behind_s >= LiveSource::kWorthSaying)
+        return tr("Live, %1 s behind").arg(behind_s, 0, 'f', 0);
     const double silent_s = tour->silent_s();
-    if (silent_s >= LiveSource::kWorthSaying) return tr("Live, no scan for %1 s").arg(silent_s, 0, 'f', 0);
+    if (silent_s >= LiveSource::kWorthSaying)
+        return tr("Live, no scan for %1 s").arg(silent_s, 0, 'f', 0);
     return tr("Live");
 }
 

@@ -24,7 +24,6 @@ namespace {
 
 constexpr const char* kAddressKey = "connect/address";
 constexpr const char* kUsualAddress = "ws://localhost:8765";
-constexpr int kKeepRow = 1;
 const QLatin1String kEnding(".mcap");
 
 QString seconds_words(double seconds) {
@@ -68,6 +67,13 @@ ConnectDialog::ConnectDialog(Connection& connection, Session& session, UserFiles
     keep->addWidget(file_, 1);
     keep->addWidget(browse_);
     form_->addRow(tr("Keep in"), keep);
+    for (QWidget* part : {form_->labelForField(keep), static_cast<QWidget*>(file_),
+                          static_cast<QWidget*>(browse_)}) {
+        QSizePolicy policy = part->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);  // nothing moves while somebody types
+        part->setSizePolicy(policy);
+    }
+    keep_ = keep;
     column->addLayout(form_);
     auto* row = new QHBoxLayout;
     act_->setObjectName("connect_act");
@@ -186,12 +192,16 @@ void ConnectDialog::refresh() {
     const bool server = is_websocket_address(address_->text().trimmed().toStdString());
     address_->setEnabled(!active);
     // A log that is followed is a file already.
-    form_->setRowVisible(kKeepRow, server || address_->text().trimmed().isEmpty());
+    for (QWidget* part : {form_->labelForField(keep_), static_cast<QWidget*>(file_),
+                          static_cast<QWidget*>(browse_)}) {
+        part->setVisible(server || address_->text().trimmed().isEmpty());
+    }
     file_->setEnabled(!active && server);
     browse_->setEnabled(!active && server);
     act_->setText(active ? tr("Disconnect") : tr("Connect"));
     // Who looks how it stands does not end it by the way.
     if (active && act_->isDefault() && act_->hasFocus()) close_->setFocus();
+    if (!active && close_->isDefault() && close_->hasFocus()) act_->setFocus();
     (active ? close_ : act_)->setDefault(true);
     act_->setEnabled(active || !address_->text().trimmed().isEmpty());
     state_->setText(state_words());
@@ -237,9 +247,11 @@ QString ConnectDialog::state_words() const {
     const Connection::Received& received = connection_.received();
     switch (connection_.state()) {
         case Connection::State::none:
-            return tr(
-                "What is received is kept in the file first, and mapped as it comes, with the "
-                "parameters of this window.");
+            return is_websocket_address(address_->text().trimmed().toStdString())
+                       ? tr("What is received is kept in the file first, and mapped as it comes, "
+                            "with the parameters of this window.")
+                       : tr("The log is mapped as it is written, with the parameters of this "
+                            "window.");
         case Connection::State::connecting:
             return tr("Connecting…");
         case Connection::State::waiting:
@@ -272,7 +284,9 @@ QString ConnectDialog::state_words() const {
     } else {
         said << tr("Disconnected.");
     }
-    if (!connection_.file().isEmpty()) {
+    if (!connection_.problem().isEmpty() && connection_.follows()) {
+        said << tr("What was mapped of it is in this window: its results can be saved.");
+    } else if (!connection_.file().isEmpty()) {
         said << tr("What was received is in %1").arg(QDir::toNativeSeparators(connection_.file()));
     }
     if (!connection_.former().isEmpty()) {

@@ -10,6 +10,7 @@
 
 class QFormLayout;
 class QLabel;
+class QLayout;
 class QLineEdit;
 class QPlainTextEdit;
 class QPushButton;
@@ -45,6 +46,7 @@ class ConnectDialog final : public QDialog {
     UserFiles& files_;
     Prompts& prompts_;
     QFormLayout* form_ = nullptr;
+    QLayout* keep_ = nullptr;
     QLineEdit* address_;
     QLineEdit* file_;
     QPushButton* browse_;

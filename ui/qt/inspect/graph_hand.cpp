@@ -189,6 +189,9 @@ void GraphHand::show_state() {
     const auto at_a = a();
     const auto at_b = b();
     const bool both = at_a && at_b && *at_a != *at_b;
+    // No other button takes the place of one that is gone.
+    if (refuse_->hasFocus() && !(both && joined(graph_->solved.graph, *at_a, *at_b)))
+        a_->setFocus();
     refuse_->setEnabled(both && joined(graph_->solved.graph, *at_a, *at_b));
     slip_->setEnabled(at_a.has_value());
     close_at_->setEnabled(both);

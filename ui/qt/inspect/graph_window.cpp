@@ -31,7 +31,7 @@
 namespace hitos::window {
 namespace {
 
-constexpr QSize kGraphSize(1180, 700);
+constexpr QSize kGraphSize(1120, 640);
 
 /// The same edge in a graph with other changes.
 std::optional<std::size_t> same_edge_in(const PlanarGraph& graph, const PlanarEdge& edge) {
@@ -295,7 +295,7 @@ void GraphWindow::end_writing(const QString& folder, const QString& problem) {
 }
 
 bool GraphWindow::may_end() {
-    if (edits() == saved_) return true;
+    if (edits().empty() || edits() == saved_) return true;
     return prompts_.confirm(
         this, {tr("Changes by hand"), tr("Close the graph without its changes by hand?"),
                tr("They are written nowhere yet: “Save…” keeps them."), tr("Close"), true});

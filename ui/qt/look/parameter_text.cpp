@@ -32,11 +32,17 @@ QString shown_unit(std::string_view unit) {
     return to_qt(unit).replace("^2", "²");
 }
 
+/// A list may be as long as somebody likes, and a line is not.
+QString shortened(const QString& words) {
+    constexpr qsizetype kMost = 60;
+    return words.size() <= kMost ? words : words.left(kMost - 1) + QString::fromUtf8("…");
+}
+
 QStringList differing(const Configuracion& configuration, const Configuracion& base) {
     QStringList words;
     for (const ConfigParameter* parameter : differences(configuration, base)) {
         if (!parameter->used_by(configuration)) continue;  // it says nothing of this one
-        words << label_of(*parameter) + ' ' + value_with_unit(*parameter, configuration);
+        words << label_of(*parameter) + ' ' + shortened(value_with_unit(*parameter, configuration));
     }
     return words;
 }

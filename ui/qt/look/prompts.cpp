@@ -248,7 +248,16 @@ QString ask_where_to_save(Prompts& prompts, QWidget* parent, Prompts::FileQuesti
     for (;;) {
         QString path = prompts.save_file(parent, question);
         if (path.isEmpty()) return {};
-        if (!QFileInfo::exists(path) || may_overwrite(prompts, parent, path)) return path;
+        const bool in_the_way = question.folder && QFileInfo(path).isFile();
+        if (in_the_way) {
+            prompts.warn(parent, question.title,
+                         prompt(QT_TRANSLATE_NOOP("Prompts",
+                                                  "%1 is a file, and a folder is to be written. "
+                                                  "Choose another name."))
+                             .arg(QFileInfo(path).fileName()));
+        } else if (!QFileInfo::exists(path) || may_overwrite(prompts, parent, path)) {
+            return path;
+        }
         question.start = path;
     }
 }

@@ -59,10 +59,10 @@ void MapWindow::finish() {
             counted_words(state.path.size(), tr("Map of 1 scan"), tr("Map of %1 scans")));
     }
     if (state.left_out > 0) {
-        ui_->verdict->setText(
-            ui_->verdict->text() + ", " +
-            counted_words(state.left_out, tr("of 1 something lies beyond what a grid can hold"),
-                          tr("of %1 something lies beyond what a grid can hold")));
+        ui_->verdict->setText(ui_->verdict->text() + ", " +
+                              counted_words(state.left_out,
+                                            tr("1 of them reaches beyond what a grid can hold"),
+                                            tr("%1 of them reach beyond what a grid can hold")));
     }
 }
 

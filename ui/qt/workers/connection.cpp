@@ -94,6 +94,7 @@ void Connection::begin(const Wish& wish) {
     received_ = {};
     file_.clear();
     former_.clear();
+    follows_ = !is_websocket_address(wish.address.toStdString());
     state_ = State::connecting;
     attempt_ = std::make_shared<Attempt>();
     attempt_->scans = QString::fromStdString(wish.source.read.scan_topic);
@@ -102,6 +103,8 @@ void Connection::begin(const Wish& wish) {
         begin_background_work();
         try {
             open(attempt, wish);
+        } catch (const ConfigError& error) {  // without the name of a key
+            tell(attempt, [this, why = words_of(error.problem())] { stop(why); });
         } catch (const std::exception& error) {
             tell(attempt, [this, why = words_of(error)] { stop(why); });
         }

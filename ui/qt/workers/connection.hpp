@@ -64,6 +64,8 @@ class Connection final : public QObject {
     const Received& received() const { return received_; }
     /// Where what came is kept; empty where nothing did.
     const QString& file() const { return file_; }
+    /// Whether that is another program's log.
+    bool follows() const { return follows_; }
     /// Where what was in that file before is kept, as the map of what came did not begin.
     const QString& former() const { return former_; }
     /// Why it is over, or what is amiss with the file; empty where it ended as it was asked to, or
@@ -92,6 +94,7 @@ class Connection final : public QObject {
     Received received_;
     QString file_;
     QString former_;
+    bool follows_ = false;
     QString problem_;
     std::shared_ptr<Attempt> attempt_;
     std::shared_ptr<IncomingTour> tour_;

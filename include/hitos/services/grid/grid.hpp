@@ -62,6 +62,8 @@ class Grid {
     bool empty() const { return columns_ == 0; }
     /// Scans of which something is left out as no grid could hold it.
     std::uint64_t scans_left_out() const { return scans_left_out_; }
+    /// With which a grid could hold these too [m]; at least that of this one.
+    double resolution_for_all() const;
     /// Cells of the tiles that something was drawn into.
     std::int64_t seen_cells() const;
     /// Memory that its cells take.
@@ -125,6 +127,7 @@ class Grid {
     std::int64_t first_row_ = 0;
     CellArea last_change_;
     std::uint64_t scans_left_out_ = 0;
+    CellArea wanted_;  ///< by those that were left out
     std::vector<Ray> rays_;  // scratch: the scan being added
     std::vector<Hit> hits_;  // scratch: cells that it hits, and what they held
 };

@@ -247,6 +247,13 @@ TEST(Grid, LeavesOutWhatWouldTakeTooManyCells) {
     grid.add(scan_of({{1.0, 0.0}, {2.0, 0.0}}), {0.5, 1e5, 0.0});
     EXPECT_EQ(grid.rows(), 5);
     EXPECT_EQ(grid.scans_left_out(), 2U);
+    GridParams coarser = unit_cells();
+    coarser.resolution_m = grid.resolution_for_all();
+    EXPECT_GT(coarser.resolution_m, 1.0);
+    Grid all(coarser);
+    all.add(scan_of({{1e6, 0.0}}), {0.5, 0.5, 0.0});
+    all.add(scan_of({{0.0, 1e5}, {3.0, 4.0}, {0.0, -1e5}}), {0.5, 0.5, 0.0});
+    EXPECT_EQ(all.scans_left_out(), 0U);
     // Ten million cells in a row are few, but need tiles of 640 million.
     Grid strip(unit_cells());
     strip.add(scan_of({{1e7, 0.0}, {3.0, 0.0}}), {0.5, 0.5, 0.0});
