@@ -127,6 +127,25 @@ TEST_F(LiveRunTest, ThatFailsEarlySaysWhereIsWhatCame) {
     EXPECT_THAT(later.output, testing::Not(HasSubstr("what was received is kept in")));
 }
 
+/// The results, on another disk, are of what the full one has.
+TEST_F(LiveRunTest, OnAFullDiskEndsWithWhatItHas) {
+    const std::uintmax_t whole = std::filesystem::file_size(whole_);
+    const std::string limit = std::to_string(whole / 2 / 512);  // of any file, as sh counts
+    const Outcome run = shell("(ulimit -f " + limit + "; cat " + whole_ + " | " + cli_ +
+                              " run - --follow --out " + path("a") + ")");
+    EXPECT_EQ(run.status, 1) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("cannot keep what comes in"));
+    const std::string kept = content(path("a.received.log"));
+    EXPECT_GT(kept.size(), whole / 4);
+    EXPECT_EQ(kept, content(whole_).substr(0, kept.size()));
+    EXPECT_THAT(run.output, HasSubstr("results in"));
+    // Nor is what little fits thrown away.
+    const Outcome little = shell("(ulimit -f 8; cat " + whole_ + " | " + cli_ +
+                                 " run - --follow --out " + path("b") + ")");
+    EXPECT_EQ(little.status, 1) << little.output;
+    EXPECT_EQ(content(path("b.received.log")), content(whole_).substr(0, 4096));
+}
+
 /// What another run shows has the protocol and no laser.
 TEST_F(LiveRunTest, OfWhatNothingCameLeavesNothing) {
     const std::string said = path("said");

@@ -120,13 +120,12 @@ std::unique_ptr<LiveSource> LiveSource::of_pipe(int descriptor, const std::files
     std::filesystem::path file = name;
     file += begins_mcap(first) ? ".mcap" : ".log";
     const auto receive = [=](const std::stop_token& stop, LiveSource& source) {
-        source.received_->append(first);
-        source.received_->note_something();
+        source.received_->append(first, true);
         std::array<char, kInputBytes> block{};
         while (!stop.stop_requested()) {
             const auto got = read_if_any(descriptor, block);
             if (got == std::size_t{0}) return;
-            if (got) source.received_->append(std::span(block).first(*got));
+            if (got) source.received_->append(std::span(block).first(*got), true);
         }
     };
     auto received = std::make_unique<ReceivedFile>(file, replace);
@@ -150,9 +149,8 @@ std::unique_ptr<LiveSource> LiveSource::of_server(const std::string& url,
         receiver->receive(
             stop,
             [&](std::string_view bytes) {
-                source.received_->append(bytes);
-                if (receiver->came())
-                    source.received_->note_something();  // more than what describes it
+                // More than what describes it.
+                source.received_->append(bytes, receiver->came());
             },
             [&](Message news) {
                 const std::scoped_lock lock(source.mutex_);

@@ -116,7 +116,7 @@ ReceivedFile::~ReceivedFile() {
     ::close(descriptor_);
 }
 
-void ReceivedFile::append(std::span<const char> bytes) {
+void ReceivedFile::append(std::span<const char> bytes, bool of_worth) {
     while (!bytes.empty()) {
         const ssize_t put = ::write(descriptor_, bytes.data(), bytes.size());
         if (put < 0 && errno == EINTR) continue;
@@ -127,6 +127,7 @@ void ReceivedFile::append(std::span<const char> bytes) {
                                        "has"),
                             system_message(errno));
         }
+        if (of_worth && put > 0) something_ = true;  // also where the disk is full behind it
         bytes = bytes.subspan(static_cast<std::size_t>(put));
     }
 }

@@ -22,10 +22,9 @@ class ReceivedFile {
     ReceivedFile& operator=(const ReceivedFile&) = delete;
 
     const std::filesystem::path& path() const { return file_; }
-    /// Throws FileError.
-    void append(std::span<const char> bytes);
+    /// `of_worth`: it is to be kept, as more than what describes what comes. Throws FileError.
+    void append(std::span<const char> bytes, bool of_worth);
     /// Something has come that is worth to be kept.
-    void note_something() { something_ = true; }
     bool holds_something() const { return something_; }
     /// What has come is worth more than what was there before, which goes.
     void replace();

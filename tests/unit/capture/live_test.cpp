@@ -386,7 +386,7 @@ TEST(ReceivedFile, GivesBackWhatWasThereWhereNothingCame) {
     const auto kept = folder.put("kept.mcap", "old");
     {
         ReceivedFile file(kept, true);
-        file.append(std::string("what describes it"));
+        file.append(std::string("what describes it"), false);
         EXPECT_EQ(test::content(folder / "kept.mcap.before"), "old");
     }
     EXPECT_EQ(test::content(kept), "old");

@@ -3267,10 +3267,6 @@
         <translation>terminó antes de que llegara nada; se esperaba un registro del programa delante de |</translation>
     </message>
     <message>
-        <source>found &quot;%1&quot;, expected an address as ws://HOST:PORT</source>
-        <translation>se ha encontrado «%1», se esperaba una dirección como ws://HOST:PORT</translation>
-    </message>
-    <message>
         <source>the connection is lost: %1</source>
         <translation>se ha perdido la conexión: %1</translation>
     </message>
@@ -3408,7 +3404,7 @@
     </message>
     <message>
         <source>the clock goes back, at %1 s by %2 s: a recording that was played again, or a clock that was set; scans behind that are taken to be of times that were, and lie anywhere (%3)</source>
-        <translation>el reloj vuelve atrás, en el segundo %1 y %2 s: una grabación que se reprodujo otra vez, o un reloj que se puso en hora; los barridos que siguen se toman por de tiempos pasados, y quedan en cualquier parte (%3)</translation>
+        <translation>el reloj vuelve atrás, en el segundo %1 y %2 s: una grabación que se reprodujo otra vez, o un reloj que se puso en hora; los barridos que siguen se toman como de tiempos pasados, y quedan en cualquier parte (%3)</translation>
     </message>
     <message>
         <source>its time, %1 s, is out of line: that before it is of %2 s and that behind it of %3 s</source>
@@ -3416,7 +3412,7 @@
     </message>
     <message>
         <source>its time, %1 s, is out of line with its neighbour&apos;s, %2 s</source>
-        <translation>su tiempo, %1 s, se sale de la serie de su vecino, %2 s</translation>
+        <translation>su tiempo, %1 s, no concuerda con el de su vecino, %2 s</translation>
     </message>
     <message>
         <source>message %1</source>
@@ -3427,8 +3423,48 @@
         <translation>línea %1</translation>
     </message>
     <message>
-        <source>%1 of %2 scans lie beyond what a grid can hold (%3 million cells); a coarser one holds them: --set grid.resolution=%4</source>
-        <translation>%1 de %2 barridos quedan fuera de lo que cabe en una rejilla (%3 millones de celdas); en una más gruesa caben: --set grid.resolution=%4</translation>
+        <source>found &quot;%1&quot;, expected an address as ws://HOST:PORT, the port up to 65535</source>
+        <translation>se encontró «%1» y se esperaba una dirección como ws://MÁQUINA:PUERTO, con el puerto hasta 65535</translation>
+    </message>
+    <message>
+        <source>look at what stamps them: one clock, that is set before the first message</source>
+        <translation>mire qué les pone el tiempo: un solo reloj, puesto en hora antes del primer mensaje</translation>
+    </message>
+    <message>
+        <source>time runs backwards: %1 of %2 stamps are before the one ahead of them in the log; where the robot was at a scan is not known</source>
+        <translation>el tiempo corre hacia atrás: %1 de %2 tiempos son anteriores al que los precede en el registro; no se sabe dónde estaba el robot en cada barrido</translation>
+    </message>
+    <message>
+        <source>the clock leaps ahead, at %1 s by %2 days (%3): a clock that was set, or two logs in one; scans and odometry behind that may be of two times</source>
+        <translation>el reloj salta adelante, en el segundo %1 y %2 días (%3): un reloj que se puso en hora, o dos registros en uno; los barridos y la odometría que siguen pueden ser de dos tiempos</translation>
+    </message>
+    <message>
+        <source>by their stamps %1 s pass from scan to scan, as where they are not of seconds; how fast the robot drives is not known</source>
+        <translation>según sus tiempos pasan %1 s de barrido a barrido, como si no fueran segundos; no se sabe a qué velocidad va el robot</translation>
+    </message>
+    <message>
+        <source>write stamps in seconds</source>
+        <translation>escriba los tiempos en segundos</translation>
+    </message>
+    <message>
+        <source>%1 of %2 %3 are stamped out of line with those before and behind them, and left out: stamps that were never set, or of two clocks in turn</source>
+        <translation>%1 de %2 %3 tienen un tiempo que no concuerda con los de sus vecinos y se dejan fuera: tiempos que nunca se pusieron, o de dos relojes por turnos</translation>
+    </message>
+    <message>
+        <source>scans</source>
+        <translation>barridos</translation>
+    </message>
+    <message>
+        <source>odometry readings</source>
+        <translation>lecturas de odometría</translation>
+    </message>
+    <message>
+        <source>change %1 is of another tour: scan %2 was another one when it was made, of the same time; where it is the same in another format, take the &quot;~%3&quot; out</source>
+        <translation>el cambio %1 es de otro recorrido: el barrido %2 era otro cuando se hizo, del mismo tiempo; si es el mismo en otro formato, quite el «~%3»</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans lie beyond what a grid can hold (%3 million cells); one of %4 m a cell holds them all (grid.resolution)</source>
+        <translation>%1 de %2 barridos quedan fuera de lo que cabe en una rejilla (%3 millones de celdas); en una de %4 m por celda caben todos (grid.resolution)</translation>
     </message>
 </context>
 <context>
@@ -5384,6 +5420,10 @@
         <source>Folder</source>
         <translation>Carpeta</translation>
     </message>
+    <message>
+        <source>%1 is a file, and a folder is to be written. Choose another name.</source>
+        <translation>%1 es un archivo, y se va a escribir una carpeta. Elija otro nombre.</translation>
+    </message>
 </context>
 <context>
     <name>RunGuard</name>
@@ -6386,6 +6426,14 @@
     <message>
         <source>What was there before is kept in %1</source>
         <translation>Lo que había antes queda en %1</translation>
+    </message>
+    <message>
+        <source>The log is mapped as it is written, with the parameters of this window.</source>
+        <translation>El registro se cartografía según se escribe, con los parámetros de esta ventana.</translation>
+    </message>
+    <message>
+        <source>What was mapped of it is in this window: its results can be saved.</source>
+        <translation>Lo que se cartografió de él está en esta ventana: sus resultados se pueden guardar.</translation>
     </message>
 </context>
 <context>
@@ -8379,12 +8427,12 @@
         <translation>Mapa de 1 barrido</translation>
     </message>
     <message>
-        <source>of 1 something lies beyond what a grid can hold</source>
-        <translation>de 1 algo queda fuera de lo que cabe en una rejilla</translation>
+        <source>1 of them reaches beyond what a grid can hold</source>
+        <translation>1 de ellos se sale de lo que cabe en una rejilla</translation>
     </message>
     <message>
-        <source>of %1 something lies beyond what a grid can hold</source>
-        <translation>de %1 algo queda fuera de lo que cabe en una rejilla</translation>
+        <source>%1 of them reach beyond what a grid can hold</source>
+        <translation>%1 de ellos se salen de lo que cabe en una rejilla</translation>
     </message>
 </context>
 <context>

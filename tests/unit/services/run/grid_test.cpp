@@ -247,12 +247,21 @@ TEST(Grid, LeavesOutWhatWouldTakeTooManyCells) {
     grid.add(scan_of({{1.0, 0.0}, {2.0, 0.0}}), {0.5, 1e5, 0.0});
     EXPECT_EQ(grid.rows(), 5);
     EXPECT_EQ(grid.scans_left_out(), 2U);
-    GridParams coarser = unit_cells();
-    coarser.resolution_m = grid.resolution_for_all();
-    EXPECT_GT(coarser.resolution_m, 1.0);
-    Grid all(coarser);
-    all.add(scan_of({{1e6, 0.0}}), {0.5, 0.5, 0.0});
-    all.add(scan_of({{0.0, 1e5}, {3.0, 4.0}, {0.0, -1e5}}), {0.5, 0.5, 0.0});
+    EXPECT_GT(grid.resolution_for_all(), 10.0);
+    // One that holds all of it, and hardly a coarser one than it takes.
+    GridParams fine = unit_cells();
+    fine.resolution_m = 0.001;
+    const auto draw = [](Grid& drawn) {
+        for (const double x : {-30.0, 0.0, 30.0, 60.0})
+            drawn.add(scan_of({{5.0, 0.0}, {0.0, 12.0}}), {x, 0.0, 0.0});
+    };
+    Grid beyond(fine);
+    draw(beyond);
+    EXPECT_GT(beyond.scans_left_out(), 0U);
+    fine.resolution_m = beyond.resolution_for_all();
+    EXPECT_LT(fine.resolution_m, 0.01);
+    Grid all(fine);
+    draw(all);
     EXPECT_EQ(all.scans_left_out(), 0U);
     // Ten million cells in a row are few, but need tiles of 640 million.
     Grid strip(unit_cells());
