@@ -127,7 +127,7 @@ class Grid {
     std::int64_t first_row_ = 0;
     CellArea last_change_;
     std::uint64_t scans_left_out_ = 0;
-    CellArea wanted_;  ///< by those that were left out
+    CellArea wanted_;        ///< by those that were left out
     std::vector<Ray> rays_;  // scratch: the scan being added
     std::vector<Hit> hits_;  // scratch: cells that it hits, and what they held
 };
