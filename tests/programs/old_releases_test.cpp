@@ -143,8 +143,11 @@ TEST_F(OldReleases, ChangesByHandAreMadeAgain) {
     each([&] {
         done("run edited/tour.log.gz --preset recorded --edits edited/edits.toml --out again");
         const auto edits = [&](const char* run) {
-            return parse_graph_edits(
+            std::vector<GraphEdit> all = parse_graph_edits(
                 ArchivoConfiguracion::read_edits(here(run + std::string("/edits.toml"))));
+            // Scans have had marks since 0.9.0.
+            for (GraphEdit& edit : all) edit.scan.mark = edit.earlier.mark = 0;
+            return all;
         };
         EXPECT_EQ(edits("again"), edits("edited"));
         EXPECT_EQ(edits("again").size(), 4U);
