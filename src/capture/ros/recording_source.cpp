@@ -171,7 +171,8 @@ void RecordingSource::take_in_scans(const RecordedMessage& found) {
         MountedScan scan = scan_of(found);
         limits_.note(scan, found.topic->name);
         StampLine<MountedScan>& arrived = arrived_scans_[found.topic];
-        arrived.add(seconds_of(scan.stamp_ns), found.number, std::move(scan));
+        const double time_s = seconds_of(scan.stamp_ns);
+        arrived.add(time_s, found.number, std::move(scan));
         hold_scans(arrived);
     }
 }

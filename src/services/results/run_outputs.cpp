@@ -137,8 +137,7 @@ RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
                                                   const Folder& folder) {
         constexpr std::size_t kDrawnAtOnce = 4'000'000;  // pixels
         const Grid& grid = make_grid(finished);
-        if (const Message reason = why_not_whole(grid, path_of(finished)); !reason.empty())
-            return reason;
+        if (Message reason = why_not_whole(grid, path_of(finished)); !reason.empty()) return reason;
         MapImage image = map_image(grid);
         if (image.picture.grey.size() > kDrawnAtOnce) end_where_asked(finished);
         PictureStyle style;

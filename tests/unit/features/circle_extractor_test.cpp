@@ -193,6 +193,16 @@ TEST(CircleFits, OfTwoPointsAreOfTheirAngle) {
 }
 
 // Of the fit itself, which knows no floor.
+/// [rad]
+std::vector<double> bearings(double at, double end, double step) {
+    std::vector<double> all;
+    while (at < end) {
+        all.push_back(at);
+        at += step;
+    }
+    return all;
+}
+
 TEST(CircleFits, AreAsFarOffAsTheirCovarianceSays) {
     const double step = kPi / 360.0;
     std::mt19937 engine(5);
@@ -204,7 +214,7 @@ TEST(CircleFits, AreAsFarOffAsTheirCovarianceSays) {
         int fitted = 0;
         for (int i = 0; i < 1000; ++i) {
             std::vector<SeenPoint> seen;
-            for (double at = anywhere(engine) - 0.3; at < 0.3; at += step) {
+            for (const double at : bearings(anywhere(engine) - 0.3, 0.3, step)) {
                 const double off = range * std::sin(at);
                 if (std::abs(off) >= radius) continue;
                 seen.push_back({at,
@@ -230,7 +240,7 @@ TEST(CircleFits, OfHalfACircleAreNone) {
     const double step = kPi / 360.0;
     for (const double from : {-0.06, 0.0}) {
         std::vector<SeenPoint> seen;
-        for (double at = from; at < 0.06; at += step) {
+        for (const double at : bearings(from, 0.06, step)) {
             const double off = 5.0 * std::sin(at);
             if (std::abs(off) >= 0.3) continue;
             seen.push_back({at, 5.0 * std::cos(at) - std::sqrt(0.09 - off * off), 0});
