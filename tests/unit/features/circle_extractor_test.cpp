@@ -192,8 +192,7 @@ TEST(CircleFits, OfTwoPointsAreOfTheirAngle) {
     EXPECT_NEAR(std::sqrt(circle->covariance(1, 1)), 0.01 / std::sqrt(24.0), 2e-5);
 }
 
-// Of the fit itself, which knows no floor.
-/// [rad]
+/// From `at` on [rad].
 std::vector<double> bearings(double at, double end, double step) {
     std::vector<double> all;
     while (at < end) {
@@ -203,6 +202,7 @@ std::vector<double> bearings(double at, double end, double step) {
     return all;
 }
 
+// Of the fit itself, which knows no floor.
 TEST(CircleFits, AreAsFarOffAsTheirCovarianceSays) {
     const double step = kPi / 360.0;
     std::mt19937 engine(5);
