@@ -87,7 +87,7 @@ class StampJudge {
 };
 
 /// Items of one device, of which those with a broken stamp are left out. An item waits for those
-/// behind it only where its stamp leaves the line, and the first one.
+/// behind it only where its stamp leaves the line, and the first ones.
 template <class Item>
 class StampLine {
   public:

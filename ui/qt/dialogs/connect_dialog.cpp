@@ -52,13 +52,13 @@ ConnectDialog::ConnectDialog(Connection& connection, Session& session, UserFiles
     setObjectName("connect_dialog");
     setWindowTitle(tr("Connect to a robot"));
     auto* column = new QVBoxLayout(this);
-    form_ = new QFormLayout;
+    auto* form = new QFormLayout;
     address_->setObjectName("connect_address");
     address_->setText(files.settings().value(kAddressKey, kUsualAddress).toString());
     address_->setToolTip(
         tr("ws://HOST:PORT, where foxglove_bridge answers on the robot, or the path of a log that "
            "another program is writing"));
-    form_->addRow(tr("Address"), address_);
+    form->addRow(tr("Address"), address_);
     auto* keep = new QHBoxLayout;
     file_->setObjectName("connect_file");
     file_->setToolTip(
@@ -66,15 +66,14 @@ ConnectDialog::ConnectDialog(Connection& connection, Session& session, UserFiles
            "of it again"));
     keep->addWidget(file_, 1);
     keep->addWidget(browse_);
-    form_->addRow(tr("Keep in"), keep);
-    for (QWidget* part : {form_->labelForField(keep), static_cast<QWidget*>(file_),
-                          static_cast<QWidget*>(browse_)}) {
+    form->addRow(tr("Keep in"), keep);
+    keep_row_ = {form->labelForField(keep), file_, browse_};
+    for (QWidget* part : keep_row_) {
         QSizePolicy policy = part->sizePolicy();
         policy.setRetainSizeWhenHidden(true);  // nothing moves while somebody types
         part->setSizePolicy(policy);
     }
-    keep_ = keep;
-    column->addLayout(form_);
+    column->addLayout(form);
     auto* row = new QHBoxLayout;
     act_->setObjectName("connect_act");
     act_->setAutoDefault(false);
@@ -192,10 +191,8 @@ void ConnectDialog::refresh() {
     const bool server = is_websocket_address(address_->text().trimmed().toStdString());
     address_->setEnabled(!active);
     // A log that is followed is a file already.
-    for (QWidget* part : {form_->labelForField(keep_), static_cast<QWidget*>(file_),
-                          static_cast<QWidget*>(browse_)}) {
+    for (QWidget* part : keep_row_)
         part->setVisible(server || address_->text().trimmed().isEmpty());
-    }
     file_->setEnabled(!active && server);
     browse_->setEnabled(!active && server);
     act_->setText(active ? tr("Disconnect") : tr("Connect"));

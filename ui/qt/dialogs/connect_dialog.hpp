@@ -3,14 +3,13 @@
 #pragma once
 
 #include <QDialog>
+#include <vector>
 
 #include "look/prompts.hpp"
 #include "look/user_files.hpp"
 #include "workers/connection.hpp"
 
-class QFormLayout;
 class QLabel;
-class QLayout;
 class QLineEdit;
 class QPlainTextEdit;
 class QPushButton;
@@ -45,8 +44,7 @@ class ConnectDialog final : public QDialog {
     Session& session_;
     UserFiles& files_;
     Prompts& prompts_;
-    QFormLayout* form_ = nullptr;
-    QLayout* keep_ = nullptr;
+    std::vector<QWidget*> keep_row_;  ///< where what is received is kept
     QLineEdit* address_;
     QLineEdit* file_;
     QPushButton* browse_;
