@@ -34,7 +34,7 @@ struct BestFit {
     double agreement = 0.0;
 
     void try_out(const Fit& fit, const Hypothesis& other) {
-        const double found = fit(other);
+        const double found = fit(other, agreement);
         if (found <= agreement) return;
         hypothesis = other;
         agreement = found;
@@ -63,11 +63,12 @@ double middle_offset(const Fit& fit, double most, int steps, const At& at) {
         double fits;
     };
     std::vector<Asked> asked;
+    double least = 0.0;
     for (int i = -steps; i <= steps; ++i) {
         const double offset = most * i / steps;
-        asked.push_back({offset, fit(at(offset))});
+        asked.push_back({offset, fit(at(offset), least)});
+        least = std::max(least, asked.back().fits - kAsWell);
     }
-    const double least = std::ranges::max(asked, {}, &Asked::fits).fits - kAsWell;
     double sum = 0.0;
     int count = 0;
     for (const Asked& one : asked) {

@@ -2,7 +2,6 @@
 // Where the points of one scan lie, as the laser of an earlier one sees them.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 
@@ -33,25 +32,31 @@ struct Rays {
     bool told() const { return scale == 1.0 && offset == 0.0; }
 };
 
-/// Where points of the later scan lie, as the laser of the earlier one sees them.
-struct Seen {
-    static constexpr std::size_t kMost = 256;
-    std::array<double, kMost> distances_m;  ///< below 0: no ray of its goes there
-    std::array<double, kMost> bins;         ///< of the earlier scan's ranges
+/// The points of the later scan, as its laser says where they are.
+struct Points {
+    std::span<const float> directions;
+    const float* distances;
+    const double* cosines;  ///< of the directions
+    const double* sines;
 };
 
 struct SeenFrom {
-    double first_rad;  ///< of the earlier scan's bins,
-    double step_rad;   ///< from one to the next
-    double last_bin;
+    double first_rad;               ///< of the earlier scan's bins,
+    double step_rad;                ///< and from one to the next
+    std::span<const float> ranges;  ///< of its bins, 0 where nothing is known
     Rays first_fan;
     Rays fan;     ///< of the later scan
     double sign;  ///< -1 where rays go the other way round
     double range_offset_m;
-    Pose lasers;  ///< of the later one in the earlier one's frame
+    Pose lasers;            ///< of the later one in the earlier one's frame
+    double near_m;          ///< how far apart two points may be that are one
+    double near_per_range;  ///< and for each metre of their range
 
-    /// Of up to Seen::kMost points of the later one, by where its laser says that they are.
-    void look(std::span<const float> directions, const float* distances, Seen& seen) const;
+    struct Count {
+        int asked = 0;  ///< points where the earlier scan knows something
+        int lie = 0;    ///< those of them that lie on it
+    };
+    Count count(const Points& points) const;
 };
 
 }  // namespace hitos

@@ -109,57 +109,46 @@ std::optional<double> TourExamination::agreement(const Pair& pair, const Pose& s
     };
     const SeenFrom seen_from{pair.first.first_rad,
                              pair.first.step_rad,
-                             static_cast<double>(pair.first.ranges.size() - 1),
+                             pair.first.ranges,
                              fan_of(pair.first, speeds.first),
                              fan_of(pair.second, speeds.second),
                              hypothesis.mirrored ? -1.0 : 1.0,
                              hypothesis.range_offset_m,
                              between(mounted(pair.first.pose_robot_laser),
-                                     compose(step, mounted(pair.second.pose_robot_laser)))};
-    const std::vector<float>& ranges = pair.first.ranges;
-    int asked = 0;
-    int lie = 0;
-    Seen seen;
-    for (std::size_t begin = 0; begin < pair.second.directions.size(); begin += Seen::kMost) {
-        const std::size_t count = std::min(Seen::kMost, pair.second.directions.size() - begin);
-        seen_from.look({pair.second.directions.data() + begin, count},
-                       pair.second.distances.data() + begin, seen);
-        for (std::size_t i = 0; i < count; ++i) {
-            const float range = ranges[static_cast<std::size_t>(seen.bins.at(i))];
-            const double expected = seen.distances_m.at(i);
-            if (range == 0.0F || expected < 0.0) continue;
-            ++asked;
-            const double seen_m = static_cast<double>(range) + hypothesis.range_offset_m;
-            // What is added to the readings does not make them less exact.
-            const double read_m = std::max(0.0, expected - hypothesis.range_offset_m);
-            if (std::abs(seen_m - expected) <
-                hypothesis.near_m + hypothesis.near_per_range * read_m) {
-                ++lie;
-            }
-        }
-    }
-    if (asked < kLeastPoints) return {};
-    return static_cast<double>(lie) / asked;
+                                     compose(step, mounted(pair.second.pose_robot_laser))),
+                             hypothesis.near_m,
+                             hypothesis.near_per_range};
+    const View& later = pair.second;
+    const SeenFrom::Count count = seen_from.count(
+        {later.directions, later.distances.data(), later.cosines.data(), later.sines.data()});
+    if (count.asked < kLeastPoints) return {};
+    return static_cast<double>(count.lie) / count.asked;
 }
 
-std::vector<const TourExamination::Pair*> TourExamination::some_pairs(std::size_t asked) const {
-    std::vector<const Pair*> some;
+TourExamination::Pairs TourExamination::some_pairs(std::size_t asked) const {
+    Pairs some;
     if (asked == 0) return some;
     const std::size_t every = std::max<std::size_t>(pairs_.size() / asked, 1);
     for (std::size_t i = 0; i < pairs_.size(); i += every) some.push_back(&pairs_[i]);
     return some;
 }
 
-std::optional<double> TourExamination::agreement(const std::vector<const Pair*>& asked,
-                                                 const Hypothesis& hypothesis) const {
+std::optional<double> TourExamination::agreement(const Pairs& asked, const Hypothesis& hypothesis,
+                                                 double least) const {
     constexpr std::size_t kLeastPairs = 10;
+    constexpr double kRounding = 1e-9;
     double sum = 0.0;
     std::size_t pairs = 0;
+    std::size_t left = asked.size();
     for (const Pair* pair : asked) {
         const std::optional<double> one = agreement(*pair, hypothesis);
+        --left;
         if (!one) continue;
         sum += *one;
         ++pairs;
+        // Most hypotheses are far off, and would be if all that is left fitted.
+        const double most = sum + static_cast<double>(left);
+        if (most < (least - kRounding) * static_cast<double>(pairs + left)) return {};
     }
     // Few of them fit anywhere, by chance.
     if (pairs < std::max(kLeastPairs, asked.size() / 2)) return {};
@@ -181,7 +170,7 @@ double TourExamination::way_shown(double range_scale, double fan_scale) const {
     hypothesis.fan_scale = fan_scale;
     hypothesis.fan_middle_rad = wrap_angle((fan_.min_angle_rad + fan_.max_angle_rad) / 2.0);
     hypothesis.shift = {(longer - 1.0) * laser.x, (longer - 1.0) * laser.y};
-    const std::vector<const Pair*> pairs = some_pairs(kAsked);
+    const Pairs pairs = some_pairs(kAsked);
     const double fits = agreement(pairs, hypothesis).value_or(0.0);
     hypothesis.scale = 0.0;
     return fits < kLeastFit ? 0.0 : fits - agreement(pairs, hypothesis).value_or(fits);

@@ -91,12 +91,15 @@ BestFit best_delay(const Fit& fit, double middle) {
     constexpr double kNarrow = 0.1;
     constexpr double kAsWell = 0.01;
     std::vector<BestFit> tried;
+    double least = 0.0;
     const auto try_out = [&](double away) {
-        tried.emplace_back().try_out(fit, {.delay_s = middle + away});
+        const Hypothesis late{.delay_s = middle + away};
+        tried.push_back({late, fit(late, least)});
+        least = std::max(least, tried.back().agreement - kAsWell);
     };
-    for (int i = -kSteps; i <= kSteps; ++i) try_out(i * kStep);
     // Of a robot that turns fast, what is nearest is narrower than a step.
     for (int i = -4; i <= 4; ++i) try_out(i * kNarrow);
+    for (int i = -kSteps; i <= kSteps; ++i) try_out(i * kStep);
     const BestFit highest = *std::ranges::max_element(tried, {}, &BestFit::agreement);
     BestFit best = highest;
     for (const BestFit& one : tried) {
@@ -112,7 +115,7 @@ BestFit best_delay(const Fit& fit, double middle) {
     });
 }
 
-std::optional<TourFinding> TourExamination::changing_clock(const std::vector<const Pair*>& pairs,
+std::optional<TourFinding> TourExamination::changing_clock(const Pairs& pairs,
                                                            const Hypothesis& asked, double step_s,
                                                            int steps, double least) const {
     constexpr double kMostGained = 10.0;  // [s] over the tour
@@ -133,7 +136,7 @@ std::optional<TourFinding> TourExamination::changing_clock(const std::vector<con
         }
         table.add(pairs[place]->second.time_s, fits);
     }
-    const Fit fit = [&](const Hypothesis& other) { return agreement(pairs, other).value_or(0.0); };
+    const Fit fit(*this, pairs);
     const auto from = [&](const DelayTable::Clock& clock, double Hypothesis::*change, double unit) {
         if (clock.agreement + kPromising < least) return BestFit{};
         Hypothesis start = asked;
@@ -153,11 +156,10 @@ std::optional<TourFinding> TourExamination::changing_clock(const std::vector<con
     if (best.agreement < least - (&best == &set ? kPromising : 0.0)) return std::nullopt;
     if (&best == &set) {
         // In the midst of a turn one time is as good as another: all pairs tell it better.
-        const std::vector<const Pair*> all = some_pairs(2 * pairs.size());
+        const Pairs all = some_pairs(2 * pairs.size());
         const double agreed = set.agreement;
         const BestFit by_all =
-            refined([&](const Hypothesis& other) { return agreement(all, other).value_or(0.0); },
-                    set.hypothesis, &Hypothesis::set_by_s, 1.0, step_s);
+            refined({*this, all}, set.hypothesis, &Hypothesis::set_by_s, 1.0, step_s);
         if (std::abs(by_all.hypothesis.set_by_s) >= kShortestDelay)
             set = {by_all.hypothesis, agreed};
         // Where each pair is on the side that it fits better; the middle of where that is so.
@@ -191,9 +193,8 @@ std::optional<TourFinding> TourExamination::changing_clock(const std::vector<con
         add_to_times(read_, {{0.0, best.hypothesis.delay_s}, {std::round(seconds), end_s}})};
 }
 
-BestFit TourExamination::best_leaps(const std::vector<const Pair*>& pairs, unsigned begin,
-                                    unsigned offered) const {
-    const Fit fit = [&](const Hypothesis& other) { return agreement(pairs, other).value_or(0.0); };
+BestFit TourExamination::best_leaps(const Pairs& pairs, unsigned begin, unsigned offered) const {
+    const Fit fit(*this, pairs);
     BestFit best;
     best.try_out(fit, {.undone_leaps = begin});
     unsigned before = 0;
@@ -209,8 +210,8 @@ BestFit TourExamination::best_leaps(const std::vector<const Pair*>& pairs, unsig
 
 /// A clock that was set where the stamps leap: that leap itself says by how much. One that was set
 /// and set back fits with both leaps undone and with neither, but not with one.
-std::optional<TourExamination::SetClock> TourExamination::set_clock(
-    const std::vector<const Pair*>& pairs, double otherwise) const {
+std::optional<TourExamination::SetClock> TourExamination::set_clock(const Pairs& pairs,
+                                                                    double otherwise) const {
     constexpr double kBetter = 0.02;  // than what has a number of its own to fit by
     constexpr double kMuchBetter = 0.1;
     constexpr std::size_t kLeastPairs = 10;
@@ -229,7 +230,7 @@ std::optional<TourExamination::SetClock> TourExamination::set_clock(
     if (best.agreement >= std::max(told + kClearly, otherwise + kBetter))
         return SetClock{told_leaps(undone, best.agreement, told), best.agreement};
     // What is soon set back weighs little among all of them, and much by itself.
-    std::vector<const Pair*> meanwhile;
+    Pairs meanwhile;
     for (const Pair& pair : pairs_) {
         if (std::abs(undone_s(undone, pair.first.time_s)) >= kShortestDelay)
             meanwhile.push_back(&pair);

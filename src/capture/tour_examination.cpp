@@ -100,8 +100,13 @@ TourExamination::View TourExamination::view_of(const Scan& scan) const {
         const double direction = std::atan2(seen.y, seen.x);
         if (!std::isfinite(range) || !std::isfinite(direction)) continue;
         if (count++ % every == 0) {
-            view.directions.push_back(static_cast<float>(direction));
+            const auto told = static_cast<float>(direction);
+            const elementary::SineCosine towards =
+                elementary::sine_cosine(static_cast<double>(told));
+            view.directions.push_back(told);
             view.distances.push_back(static_cast<float>(range));
+            view.cosines.push_back(towards.cosine);
+            view.sines.push_back(towards.sine);
         }
         float& bin = view.ranges[view.bin_of(direction)];
         if (bin == 0.0F || bin > static_cast<float>(range)) bin = static_cast<float>(range);

@@ -26,8 +26,8 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
             : (first_scan_s_ > path_.back().time_s ? path_.back().time_s - first_scan_s_ : 0.0);
     // What is asked costs a fraction of a second: enough pairs for a mean, not all of them.
     constexpr std::size_t kAsked = 128;
-    const std::vector<const Pair*> pairs = some_pairs(kAsked);
-    const Fit fit = [&](const Hypothesis& other) { return agreement(pairs, other).value_or(0.0); };
+    const Pairs pairs = some_pairs(kAsked);
+    const Fit fit(*this, pairs);
     const BestFit late = best_delay(fit, apart != 0.0 ? path_.front().time_s - first_scan_s_ : 0.0);
     const double delay_s = late.hypothesis.delay_s;
     if (apart != 0.0) {
@@ -160,7 +160,7 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
     constexpr int kFarSteps = 51;  // to a twelfth, and to twelve times; beyond are units alone
     // Over the way of a pair a tenth is a few centimetres.
     const Hypothesis asked = closely();
-    const Fit fit = [this](const Hypothesis& other) { return agreement(other).value_or(0.0); };
+    const Fit fit(*this, some_pairs(pairs_.size()));
     BestFit best;
     const auto try_out = [&](double scale) {
         Hypothesis hypothesis = asked;

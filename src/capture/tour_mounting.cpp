@@ -178,8 +178,7 @@ bool TourExamination::doubt_slight_turn(const Fit& fit, std::vector<TourFinding>
 /// Whether it is headings or positions that count the other way: by how the scans turn.
 void TourExamination::settle_axes(TourFinding& told) const {
     constexpr std::size_t kAsked = 128;
-    const std::vector<const Pair*> pairs = some_pairs(kAsked);
-    const Fit fit = [&](const Hypothesis& other) { return agreement(pairs, other).value_or(0.0); };
+    const Fit fit(*this, some_pairs(kAsked));
     const LengthUnit* unit = way_unit();
     BestFit headings;
     BestFit positions;  // as the other, all of it mirrored: told of a mirrored laser's scans

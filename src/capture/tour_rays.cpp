@@ -230,9 +230,7 @@ bool TourExamination::doubt_ray_times(std::vector<TourFinding>& found) const {
     const double sweep_s = static_cast<double>(last_ray_s_) - static_cast<double>(first_ray_s_);
     const Turning turning = turning_pairs();
     if (std::abs(sweep_s) < kShortest || turning.pairs.size() < kLeastPairs) return false;
-    const Fit fit = [&](const Hypothesis& other) {
-        return agreement(turning.pairs, other).value_or(0.0);
-    };
+    const Fit fit(*this, turning.pairs);
     const double told = fit(closely());
     Hypothesis unmoved = closely();
     unmoved.first_ray_s = -static_cast<double>(first_ray_s_);

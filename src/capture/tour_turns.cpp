@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "hitos/base/median.hpp"
 #include "hypothesis_search.hpp"
@@ -84,7 +83,7 @@ TourExamination::Turning TourExamination::turning_pairs() const {
     }
     turning.rad_per_s = median(std::move(speeds));
     const std::size_t every = turning.pairs.size() / kAsked + 1;
-    std::vector<const Pair*> some;
+    Pairs some;
     for (std::size_t i = 0; i < turning.pairs.size(); i += every) some.push_back(turning.pairs[i]);
     turning.pairs = std::move(some);
     return turning;
@@ -98,9 +97,7 @@ void TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
     constexpr double kLeast = 0.15;
     const Turning turning = turning_pairs();
     if (turning.pairs.size() < kLeastPairs) return;
-    const Fit fit = [&](const Hypothesis& other) {
-        return agreement(turning.pairs, other).value_or(0.0);
-    };
+    const Fit fit(*this, turning.pairs);
     const double told = fit(closely());
     if (kTimes * told + kMore > 1.0) return;
     const BestFit turned = best_turn_scale(fit);

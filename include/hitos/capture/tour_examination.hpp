@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -59,7 +58,7 @@ class TourExamination {
         double near_m = 0.1;           ///< how far apart two points may be that are one
         double near_per_range = 0.02;  ///< and for each metre of their range
     };
-    using Fit = std::function<double(const Hypothesis&)>;
+    class Fit;
 
     /// The mean share of a pair's points that lie on the earlier scan, 0 … 1; nothing where fewer
     /// than 10 pairs, or than half of them, lie in the odometry.
@@ -81,12 +80,15 @@ class TourExamination {
         std::vector<float> ranges;      ///< by direction, 0 where nothing is known
         std::vector<float> directions;  ///< of its points, in the laser's frame [rad]
         std::vector<float> distances;   ///< of its points
+        std::vector<double> cosines;    ///< of the directions
+        std::vector<double> sines;      ///< likewise
         std::size_t bin_of(double direction_rad) const;
     };
     struct Pair {
         View first;
         View second;
     };
+    using Pairs = std::vector<const Pair*>;
 
     View view_of(const Scan& scan) const;
     std::optional<double> agreement(const Pair& pair, const Hypothesis& hypothesis) const;
@@ -112,19 +114,16 @@ class TourExamination {
     void doubt_fit(std::vector<TourFinding>& found) const;
     /// A clock that does not stay as it is, where with it these pairs fit by `least` or better:
     /// looked for in so many steps of the delay to either side.
-    std::optional<TourFinding> changing_clock(const std::vector<const Pair*>& pairs,
-                                              const Hypothesis& asked, double step_s, int steps,
-                                              double least) const;
+    std::optional<TourFinding> changing_clock(const Pairs& pairs, const Hypothesis& asked,
+                                              double step_s, int steps, double least) const;
     struct SetClock {
         TourFinding finding;
         double agreement;
     };
     /// One that was set where the stamps leap, once or several times.
-    std::optional<SetClock> set_clock(const std::vector<const Pair*>& pairs,
-                                      double otherwise) const;
+    std::optional<SetClock> set_clock(const Pairs& pairs, double otherwise) const;
     /// Of these leaps of the stamps, a bit for each, those with which the pairs fit best.
-    BestFit best_leaps(const std::vector<const Pair*>& pairs, unsigned begin,
-                       unsigned offered) const;
+    BestFit best_leaps(const Pairs& pairs, unsigned begin, unsigned offered) const;
     TourFinding told_set(const Hypothesis& set, double fits, double told) const;
     TourFinding told_leaps(unsigned undone, double fits, double told) const;
     void note_leap(const Scan& scan);
@@ -132,10 +131,11 @@ class TourExamination {
     double period_s() const;
     /// What is added to a scan of that stamp where these leaps are undone.
     double undone_s(unsigned leaps, double stamp_s) const;
-    std::optional<double> agreement(const std::vector<const Pair*>& pairs,
-                                    const Hypothesis& hypothesis) const;
+    /// Nothing too where it becomes clear that it is below `least`.
+    std::optional<double> agreement(const Pairs& pairs, const Hypothesis& hypothesis,
+                                    double least = 0.0) const;
     /// At least as many as are asked, where there are so many, evenly over the tour.
-    std::vector<const Pair*> some_pairs(std::size_t asked) const;
+    Pairs some_pairs(std::size_t asked) const;
     void doubt_mounting(const Fit& fit, double told, const BestFit& mounted,
                         std::vector<TourFinding>& found) const;
     void tell_mounting(const Fit& fit, double told, const BestFit& mounted,
@@ -157,7 +157,7 @@ class TourExamination {
     /// What pairs of scans between which the robot turns say of its turns, and of where the laser
     /// sits.
     struct Turning {
-        std::vector<const Pair*> pairs;
+        Pairs pairs;
         double rad_per_s = 0.0;  ///< how fast half of them turn, or faster
     };
     Turning turning_pairs() const;
@@ -259,6 +259,20 @@ class TourExamination {
     float first_ray_s_ = 0.0F;              ///< as the longest sweep says that was believed
     float last_ray_s_ = 0.0F;
     std::vector<float> medians_;  ///< of the ranges of a sample of scans
+};
+
+/// How well some pairs of a tour fit a hypothesis: their mean agreement, 0 where there is none or
+/// where it is below `least`, which is known sooner.
+class TourExamination::Fit {
+  public:
+    Fit(const TourExamination& tour, Pairs pairs) : tour_(&tour), pairs_(std::move(pairs)) {}
+    double operator()(const Hypothesis& hypothesis, double least = 0.0) const {
+        return tour_->agreement(pairs_, hypothesis, least).value_or(0.0);
+    }
+
+  private:
+    const TourExamination* tour_;
+    Pairs pairs_;
 };
 
 }  // namespace hitos
