@@ -80,8 +80,8 @@ std::size_t TourExamination::View::bin_of(double direction_rad) const {
 
 TourExamination::View TourExamination::view_of(const Scan& scan) const {
     constexpr double kStepWhereUnknown = kRadiansPerDegree;
-    constexpr double kFinestStep = 1e-3;       // however many rays there are,
-    constexpr std::size_t kMostPoints = 1024;  // a scan is kept in some kilobytes
+    constexpr double kFinestStep = 1e-3;      // however many rays there are,
+    constexpr std::size_t kMostPoints = 192;  // some hundred pairs make a mean of thousands
     const double step = std::abs(scan.fan.step_rad());
     const bool known = scan.fan.count > 1 && step > 0.0 && step < 0.2;
     const std::size_t every = scan.points.size() / kMostPoints + 1;
