@@ -269,7 +269,7 @@ std::string pdf_text(const VectorDrawing& drawing) {
 
 namespace drawing {
 
-void paint(cv::Mat& image, const VectorDrawing& drawing, double scale) {
+void paint(cv::Mat& image, const VectorDrawing& drawing, double scale, const Point2& corner) {
     // cairo's coordinates end at 2^15, and its pixels take four bytes: a piece after the other.
     constexpr int kSide = 2048;
     const bool grey = image.channels() == 1;
@@ -283,7 +283,7 @@ void paint(cv::Mat& image, const VectorDrawing& drawing, double scale) {
                 cairo_image_surface_create_for_data(pixels.data, CAIRO_FORMAT_RGB24, pixels.cols,
                                                     pixels.rows, static_cast<int>(pixels.step)));
             const CairoContext context(cairo_create(surface.get()));
-            cairo_translate(context.get(), -x, -y);
+            cairo_translate(context.get(), -x - corner.x, -y - corner.y);
             cairo_scale(context.get(), scale, scale);
             sharpen_letters(context.get());
             paint_layers(context.get(), drawing);

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <opencv2/core/utility.hpp>
+#include <utility>
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
@@ -50,6 +52,84 @@ DrawnLayer mark(const Point2& at, double radius, PathMarks marks, bool start) {
     return layer;
 }
 
+/// What is coloured in no more colours than a palette has room for beside all greys: the edges of
+/// lines have hundreds, of which nobody sees so many.
+void use_few_colours(cv::Mat& image) {
+    constexpr int kStep = 32;
+    const auto rounded = [](std::uint8_t value) {
+        return static_cast<std::uint8_t>(std::min((value + kStep / 2) / kStep * kStep, 255));
+    };
+    for (int y = 0; y < image.rows; ++y) {
+        auto* const row = image.ptr<cv::Vec3b>(y);
+        for (int x = 0; x < image.cols; ++x) {
+            cv::Vec3b& colour = row[x];
+            if (colour[0] == colour[1] && colour[1] == colour[2]) continue;
+            for (int i = 0; i < 3; ++i) colour[i] = rounded(colour[i]);
+        }
+    }
+}
+
+/// A path in the tiles of a picture that it passes: most of a large one is left alone.
+class PathTiles {
+  public:
+    /// `beside`: pixels that a line reaches to either side.
+    PathTiles(const cv::Size& size, double beside) : size_(size), beside_(beside) {}
+
+    /// The next step; it goes on from the last one where it begins at its end.
+    void add(const Point2& from, const Point2& to) {
+        Bounds bounds;
+        bounds.hold(from);
+        bounds.hold(to);
+        for_each(bounds, [&](std::vector<std::vector<Point2>>& lines) {
+            if (lines.empty() || lines.back().back() != from) lines.push_back({from});
+            lines.back().push_back(to);
+        });
+    }
+    void touch(const Point2& at, double radius) {
+        Bounds bounds;
+        bounds.hold({at.x - radius, at.y - radius});
+        bounds.hold({at.x + radius, at.y + radius});
+        for_each(bounds, [](std::vector<std::vector<Point2>>& /*lines*/) {});
+    }
+
+    /// The lines in this style, and `over` over them.
+    void paint(cv::Mat& image, const ShapeStyle& style, const std::vector<DrawnLayer>& over) {
+        for (auto& [place, lines] : tiles_) {
+            const Point2 corner{place.second * kSide + 0.0, place.first * kSide + 0.0};
+            cv::Mat tile = image(cv::Rect(place.second * kSide, place.first * kSide, kSide, kSide) &
+                                 cv::Rect({}, image.size()));
+            VectorDrawing drawing;
+            DrawnLayer path{"path", style};
+            path.lines = std::move(lines);
+            drawing.layers.push_back(std::move(path));
+            drawing.layers.insert(drawing.layers.end(), over.begin(), over.end());
+            drawing::paint(tile, drawing, 1.0, corner);
+            use_few_colours(tile);
+        }
+    }
+
+  private:
+    static constexpr int kSide = 256;
+
+    template <class Do>
+    void for_each(const Bounds& bounds, const Do& with) {
+        const auto tile = [](double pixel) { return static_cast<int>(std::floor(pixel / kSide)); };
+        const int last_row = (size_.height - 1) / kSide;
+        const int last_column = (size_.width - 1) / kSide;
+        for (int row = std::max(tile(bounds.low.y - beside_), 0);
+             row <= std::min(tile(bounds.high.y + beside_), last_row); ++row) {
+            for (int column = std::max(tile(bounds.low.x - beside_), 0);
+                 column <= std::min(tile(bounds.high.x + beside_), last_column); ++column) {
+                with(tiles_[{row, column}]);
+            }
+        }
+    }
+
+    cv::Size size_;
+    double beside_;
+    std::map<std::pair<int, int>, std::vector<std::vector<Point2>>> tiles_;  // by row and column
+};
+
 std::string kind_from(const std::filesystem::path& path) {
     const std::string extension = lower(path.extension().string());
     if (extension != ".png" && extension != ".jpg" && extension != ".jpeg") {
@@ -77,23 +157,22 @@ int longest_side(std::string_view kind) {
 void draw_path(cv::Mat& image, const Placement& placement, const std::vector<Point2>& path,
                double width, double radius, PathMarks marks) {
     if (path.empty()) return;
-    DrawnLayer red{"path", line_style(kPathRed, width)};
-    red.lines.emplace_back();
+    PathTiles tiles(image.size(), width);
+    std::optional<Point2> last;
     for (const Point2& point : path) {
         const Point2 pixel = placement.at(point);
-        if (fits_a_picture(pixel)) {
-            red.lines.back().push_back(pixel);
-        } else if (!red.lines.back().empty()) {
-            red.lines.emplace_back();
-        }
+        const bool fits = fits_a_picture(pixel);
+        if (fits && last) tiles.add(*last, pixel);
+        last = fits ? std::optional(pixel) : std::nullopt;
     }
-    VectorDrawing drawing;
-    drawing.layers.push_back(std::move(red));
+    std::vector<DrawnLayer> ends;
     for (const bool start : {true, false}) {
         const Point2 at = placement.at(start ? path.front() : path.back());
-        if (fits_a_picture(at)) drawing.layers.push_back(mark(at, radius, marks, start));
+        if (!fits_a_picture(at)) continue;
+        ends.push_back(mark(at, radius, marks, start));
+        tiles.touch(at, radius);
     }
-    paint(image, drawing);
+    tiles.paint(image, line_style(kPathRed, width), ends);
 }
 
 void draw_scale_bar(cv::Mat& image, double pixels_per_m) {

@@ -48,7 +48,8 @@ class Block {
     std::uint32_t known_ = 0;
 };
 
-/// The path in red, start and end marked; nothing where it is empty. Sizes in pixels.
+/// The path in red, in few colours, start and end marked; nothing where it is empty. Sizes in
+/// pixels.
 void draw_path(cv::Mat& image, const Placement& placement, const std::vector<Point2>& path,
                double width, double radius, PathMarks marks);
 
@@ -56,8 +57,10 @@ void draw_path(cv::Mat& image, const Placement& placement, const std::vector<Poi
 void draw_scale_bar(cv::Mat& image, double pixels_per_m);
 
 /// Lays a drawing in pixels over the picture, of one channel (grey) or three (blue, green, red).
-/// Throws Error where there is no memory for it. `scale`: pixels for each of its units.
-void paint(cv::Mat& image, const VectorDrawing& drawing, double scale = 1.0);
+/// Throws Error where there is no memory for it. `scale`: pixels for each of its units; `corner`:
+/// the drawing's pixel that lies in the picture's first one.
+void paint(cv::Mat& image, const VectorDrawing& drawing, double scale = 1.0,
+           const Point2& corner = {});
 /// How wide the widest of the texts is [pixels].
 double widest(std::span<const std::string> texts, double letters);
 

@@ -26,6 +26,8 @@ namespace fs = std::filesystem;
 constexpr std::int64_t kMostOfMap = std::int64_t{1} << 27;
 constexpr std::int64_t kMostForeign = 100'000'000;
 
+/// At the scale 1 the picture's own pixels, which it holds no longer than that and nobody writes
+/// to.
 cv::Mat scaled(const Grid::Picture& picture, int scale) {
     if (scale < 1 || scale > kGreatestPictureScale) {
         throw ConfigError(
@@ -45,8 +47,9 @@ cv::Mat scaled(const Grid::Picture& picture, int scale) {
                 "a picture of %1 x %2 pixels is too great; use a smaller scale or coarser cells"),
             width, height));
     }
-    cv::Mat cells(picture.height, picture.width, CV_8UC1);
-    std::copy(picture.grey.begin(), picture.grey.end(), cells.begin<std::uint8_t>());
+    const cv::Mat cells(picture.height, picture.width, CV_8UC1,
+                        const_cast<std::uint8_t*>(picture.grey.data()));
+    if (scale == 1) return cells;
     cv::Mat image;
     cv::resize(cells, image, cv::Size(static_cast<int>(width), static_cast<int>(height)), 0, 0,
                cv::INTER_NEAREST);
@@ -156,7 +159,9 @@ MapImage fitted(MapImage image, std::string_view kind) {
 std::string encode_picture(const MapImage& map, const PictureStyle& style, std::string_view kind) {
     cv::Mat image = scaled(map.picture, style.scale);
     const double pixels_per_m = style.scale / map.m_per_pixel;
-    if (!style.path.empty()) {
+    if (style.path.empty()) {
+        if (style.scale == 1 && style.scale_bar) image = image.clone();
+    } else {
         cv::cvtColor(image, image, cv::COLOR_GRAY2BGR);
         constexpr int kRadius = 3;  // and a pixel for each of the scale
         drawing::draw_path(image, {map.origin, {0.0, image.rows + 0.0}, pixels_per_m}, style.path,

@@ -393,7 +393,8 @@ std::uint8_t grey_of(float log_odds) {
 
 Grid::Picture Grid::picture() const {
     Picture picture{columns_, rows_, {}};
-    picture.grey.reserve(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    picture.grey.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    std::uint8_t* out = picture.grey.data();
     float last = 0.0F;  // most cells equal their neighbour: the exponential is worth remembering
     std::uint8_t grey = grey_of(last);
     for (int row = rows_ - 1; row >= 0; --row) {
@@ -403,15 +404,16 @@ Grid::Picture Grid::picture() const {
             constexpr std::size_t kSide = kTileSide;
             const std::size_t count = std::min(kSide - x % kSide, end - x);
             const Tile& tile = tiles_[y / kSide * tile_columns_ + x / kSide];
-            if (tile.empty()) picture.grey.insert(picture.grey.end(), count, kUnknownGrey);
+            if (tile.empty()) std::fill_n(out, count, kUnknownGrey);
             for (std::size_t i = 0; !tile.empty() && i < count; ++i) {
                 const float value = tile[y % kSide * kSide + x % kSide + i];
                 if (value != last) {
                     last = value;
                     grey = grey_of(value);
                 }
-                picture.grey.push_back(grey);
+                out[i] = grey;
             }
+            out += count;
             x += count;
         }
     }

@@ -111,7 +111,7 @@ void end_where_asked(const FinishedRun& finished) {
 
 /// Of no more pixels than a screen shows, in about.
 MapImage to_look_at(MapImage image) {
-    constexpr double kPixels = 16e6;
+    constexpr double kPixels = 8.3e6;  // 3840 x 2160
     const double width = image.picture.width;
     const double height = image.picture.height;
     const double longest = std::max(width, height) * std::sqrt(kPixels / (width * height));
