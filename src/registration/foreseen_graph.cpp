@@ -176,9 +176,9 @@ void Registration::Impl::unbend(const GraphEdit& edit) {
             return edge.kind == EdgeKind::anchor && edge.to == made.to && edge.z == made.z &&
                    edge.at == made.at;
         });
-        std::erase_if(anchors_,
-                      [&](const NotedAnchor& one) { return same_change(one.edit, edit); });
     }
+    for (std::vector<NotedChange>* noted : {&anchors_, &fixes_})
+        std::erase_if(*noted, [&](const NotedChange& one) { return same_change(one.edit, edit); });
     if (edit.has_pose()) {
         const PoseEdge made = edge_by_hand(edit);
         std::erase_if(graph_.edges, [&](const PoseEdge& edge) {

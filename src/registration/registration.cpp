@@ -307,7 +307,7 @@ void Registration::Impl::tell_edges(bool anew) {
         told_.clear();
         told_of_ = 0;
     }
-    const bool tie = drawing->firm && std::ranges::any_of(anchors_, [&](const NotedAnchor& one) {
+    const bool tie = drawing->firm && std::ranges::any_of(anchors_, [&](const NotedChange& one) {
                          return one.edit.scan.scan != anchors_.front().edit.scan.scan;
                      });
     for (; told_of_ < graph_.edges.size(); ++told_of_) {
@@ -342,6 +342,15 @@ RegistrationFigures Registration::Impl::figures() const {
     figures.edits_unmet = editor_.unmet();
     figures.drawing = laid_drawing(graph_.poses, graph_.edges);
     figures.anchors = anchor_figures();
+    figures.fixed = fixes_.size();
+    const std::span<const GraphEdit> edits = editor_.edits();
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+        if (edits[i].kind == GraphEdit::Kind::slip &&
+            std::ranges::count(figures.edits_unmet, i) == 0)
+            ++figures.slips;
+    }
+    for (const NotedChange& fix : fixes_)
+        if (fix.bent > fix.limit) figures.fixes_strained.push_back(number_of(fix.edit) - 1);
     figures.loops_refused = static_cast<std::uint64_t>(std::ranges::count_if(
         refused_, [](const LoopRecord& loop) { return loop.verdict != LoopVerdict::alone; }));
     return figures;

@@ -38,7 +38,7 @@ void Registration::Impl::edit_graph(std::vector<KeyPose>& before) {
         believe(edge.from);
     }
     if (graph_.size() < 2) {
-        note_anchors(edits, 0.0, 0);
+        note_known_places(edits, 0.0, 0);
         return;
     }
     PoseGraphSolver solver(graph_.size(), graph_.edges);
@@ -52,7 +52,7 @@ void Registration::Impl::edit_graph(std::vector<KeyPose>& before) {
         loop.chi_square = bent;
         loop.move_m = move_m;
     }
-    note_anchors(edits, bent, graph_.edges.size() - first_edge);
+    note_known_places(edits, bent, graph_.edges.size() - first_edge);
     figures_.largest_correction_m = std::max(figures_.largest_correction_m, move_m);
     closer_.forget();
 }
@@ -165,17 +165,19 @@ void Registration::Impl::expect_like_the_others(const GraphEdit& edit) const {
         number_of(edit), edit.scan.scan + 1, std::round(turned * 180.0 / kPi));
 }
 
-void Registration::Impl::note_anchors(std::span<const GraphEdit> edits, double bent,
-                                      std::size_t edges) {
+void Registration::Impl::note_known_places(std::span<const GraphEdit> edits, double bent,
+                                           std::size_t edges) {
     for (const GraphEdit& edit : edits) {
-        if (edit.anchors()) anchors_.push_back({edit, bent, explained_chi_square(edges)});
+        const NotedChange noted{edit, bent, explained_chi_square(edges)};
+        if (edit.anchors()) anchors_.push_back(noted);
+        if (edit.kind == GraphEdit::Kind::fix) fixes_.push_back(noted);
     }
 }
 
 std::vector<AnchorFigures> Registration::Impl::anchor_figures() const {
     std::vector<AnchorFigures> figures;
     const auto drawing = laid_drawing(graph_.poses, graph_.edges);
-    for (const NotedAnchor& noted : anchors_) {
+    for (const NotedChange& noted : anchors_) {
         const PoseEdge edge = anchor(noted.edit);
         const Eigen::Vector3d error =
             edge_error(edge, drawing->pose, graph_.poses[edge.to].pose).value;

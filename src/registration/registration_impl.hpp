@@ -66,8 +66,9 @@ class Registration::Impl {
         Pose pose_key_scan;
     };
 
-    /// An anchor in the graph, by how much it has bent it, and how much of that the graph explains.
-    struct NotedAnchor {
+    /// An anchor or a fixed place in the graph, by how much it has bent it, and how much of that
+    /// the graph explains.
+    struct NotedChange {
         GraphEdit edit;
         double bent;
         double limit;
@@ -110,7 +111,7 @@ class Registration::Impl {
     PoseEdge anchor(const GraphEdit& edit) const;
     std::size_t number_of(const GraphEdit& edit) const;
     void expect_like_the_others(const GraphEdit& edit) const;
-    void note_anchors(std::span<const GraphEdit> edits, double bent, std::size_t edges);
+    void note_known_places(std::span<const GraphEdit> edits, double bent, std::size_t edges);
     std::vector<AnchorFigures> anchor_figures() const;
     void tell_edges(bool anew);
     LoopRecord loop_by_hand(const GraphEdit& edit, const PoseEdge& edge);
@@ -163,7 +164,8 @@ class Registration::Impl {
     std::vector<Pose> corrections_;  // by scan, of the last add() or finish()
     std::vector<LoopRecord> loops_;
     std::vector<LoopRecord> refused_;
-    std::vector<NotedAnchor> anchors_;
+    std::vector<NotedChange> anchors_;
+    std::vector<NotedChange> fixes_;
     std::vector<PoseEdge> told_;  // the graph's edges for who knows no drawing, where there is one
     std::size_t told_of_ = 0;     // how many of the graph's they are
     RegistrationFigures figures_;

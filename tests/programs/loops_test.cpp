@@ -226,7 +226,7 @@ TEST_F(LoopsTest, ChangesThatDoNotFitAreRefusedWithTheReason) {
     EXPECT_EQ(absurd.status, 0);
     EXPECT_THAT(absurd.output, HasSubstr("lie on hardly anything that the earlier passage saw "
                                          "(scan 400)"));
-    EXPECT_THAT(absurd.output, HasSubstr("by hand 1 closed and 0 refused"));
+    EXPECT_THAT(absurd.output, HasSubstr("by hand 1 loop closed"));
     // What meets nothing changes nothing, and is told.
     const test::Outcome told = run("unmet", "--set 'registration.edits=refuse 200 3'");
     EXPECT_EQ(told.status, 0);

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "damage.hpp"
 #include "hitos/base/plural.hpp"
@@ -36,9 +39,40 @@ void tell_times(const RunTimes& times, std::uint64_t scans, const Report& report
     say("all", times.all);
 }
 
+namespace {
+
+/// "  by hand 1 loop closed, 2 refused, 1 place fixed"; nothing where nobody changed anything.
+void tell_by_hand(const RunQuality& quality, const RegistrationFigures& figures,
+                  const Report& report) {
+    const auto count = [&](auto is) {
+        return static_cast<std::uint64_t>(std::ranges::count_if(quality.loops, is));
+    };
+    const std::uint64_t closed = count([](const RunLoop& loop) { return loop.record.by_hand; });
+    const std::uint64_t refused =
+        count([](const RunLoop& loop) { return loop.record.verdict == LoopVerdict::by_hand; });
+    std::vector<std::string> words;
+    if (closed > 0) words.push_back(fmt::format("{} closed", plural(closed, "loop")));
+    if (refused > 0) words.push_back(fmt::format("{} refused", plural(refused, "loop")));
+    if (figures.fixed > 0) words.push_back(fmt::format("{} fixed", plural(figures.fixed, "place")));
+    if (figures.slips > 0) words.push_back(plural(figures.slips, "slip"));
+    if (!figures.anchors.empty()) words.push_back(plural(figures.anchors.size(), "anchor"));
+    if (!words.empty()) report.say("  by hand {}\n", fmt::join(words, ", "));
+}
+
+/// "910 scans"; of a tour that goes on with a map, how many of them are the map's.
+std::string scans_words(const RunSummary& summary) {
+    std::string words = plural(summary.scans, "scan");
+    const auto& figures = summary.quality.registration;
+    if (!figures || figures->later_tours.empty()) return words;
+    return fmt::format("{}, {} of them of the map's tour,", words,
+                       figures->later_tours.front().begin);
+}
+
+}  // namespace
+
 void tell_summary(const RunSummary& summary, const std::string& folder, const Report& report) {
-    report.say("{} in {:.1f} s of tour, {} and {}\n", plural(summary.scans, "scan"),
-               summary.duration_s, plural(*summary.figures["lines"], "line"),
+    report.say("{} in {:.1f} s of tour, {} and {}\n", scans_words(summary), summary.duration_s,
+               plural(*summary.figures["lines"], "line"),
                plural(*summary.figures["corners"], "corner"));
     report.say("{}", damage_text(summary.report));
     if (summary.searches_cut > 0) {
@@ -73,13 +107,7 @@ void tell_summary(const RunSummary& summary, const std::string& folder, const Re
                    figures->scans - figures->unmatched, plural(figures->scans, "scan"),
                    plural(static_cast<std::uint64_t>(closed), "loop"),
                    figures->largest_correction_m);
-        const auto by_hand = std::ranges::count_if(
-            summary.quality.loops, [](const RunLoop& loop) { return loop.record.by_hand; });
-        const auto refused =
-            std::ranges::count(summary.quality.loops, LoopVerdict::by_hand,
-                               [](const RunLoop& loop) { return loop.record.verdict; });
-        if (by_hand + refused > 0)
-            report.say("  by hand {} closed and {} refused\n", by_hand, refused);
+        tell_by_hand(summary.quality, *figures, report);
         if (figures->drawing && figures->drawing->firm) {
             const Pose start = inverse(figures->drawing->pose);
             report.say(

@@ -57,6 +57,10 @@ struct RegistrationFigures {
     /// Of the changes by hand, by their places, those that have met nothing to change: refused
     /// loops that nobody has found, scans that have not come.
     std::vector<std::uint64_t> edits_unmet;
+    std::uint64_t fixed = 0;  ///< places, by hand
+    std::uint64_t slips = 0;  ///< likewise steps of the odometry that are told to be wrong
+    /// Likewise those fixed places that bend the graph more than its edges explain.
+    std::vector<std::uint64_t> fixes_strained = {};
     std::vector<SecondTour> later_tours = {};
     std::vector<AnchorFigures> anchors = {};  ///< in the order of the tour
     std::optional<LaidDrawing> drawing = {};  ///< that they anchor the map to

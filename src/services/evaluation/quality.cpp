@@ -292,7 +292,17 @@ void warn_of_registration(const Registration& registration, const Trajectory& od
              fmt::format("{:.1f} m", moved_m));
     }
     const DrivenBy driven = driven_by(registration, odometry);
-    if (!warn_of_anchors(figures, warnings)) warn_of_scale(driven, warnings);
+    const bool anchored_wrongly = warn_of_anchors(figures, warnings);
+    if (!figures.fixes_strained.empty()) {
+        warn(warnings,
+             HITOS_TEXT("Advice",
+                        "Places fixed by hand bend the map more than its edges explain (%1 of the "
+                        "changes by hand): are they where those scans were, in metres and radians "
+                        "of this map?"),
+             counted(figures.fixes_strained));
+    } else if (!anchored_wrongly) {
+        warn_of_scale(driven, warnings);
+    }
     std::vector<std::uint64_t> misfits;
     for (const LoopRecord& loop : registration.loops())
         if (loop.by_hand && loop.score < kFitsByHand) misfits.push_back(loop.scan);

@@ -111,6 +111,10 @@
         <source>Anchors bend the map more than its edges explain (%1 of the changes by hand): is each of them the right wall, and do walls meet?</source>
         <translation>Hay anclas que doblan el mapa más de lo que explican sus aristas (la %1 de los cambios a mano): ¿es cada una la pared correcta, y casan las paredes?</translation>
     </message>
+    <message>
+        <source>Places fixed by hand bend the map more than its edges explain (%1 of the changes by hand): are they where those scans were, in metres and radians of this map?</source>
+        <translation>Los sitios fijados a mano doblan el mapa más de lo que explican sus aristas (%1 de los cambios a mano): ¿están donde estaban esos barridos, en metros y radianes de este mapa?</translation>
+    </message>
 </context>
 <context>
     <name>Associations</name>

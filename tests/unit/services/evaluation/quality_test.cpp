@@ -285,6 +285,22 @@ TEST(QualityWarnings, OfAnchorsThatContradictOrSayNothing) {
     EXPECT_EQ(told("point 5 1 0 7 7; point 5 2 0 10 7", kOff), "1, 2");
 }
 
+TEST(QualityWarnings, OfPlacesThatWereFixedWrongly) {
+    const auto told_of = [](const char* edits, std::string_view words) {
+        RegistrationParams params;
+        params.edits = edits;
+        JudgedRun run(params);
+        run.ahead(judged_hall(), {}, 40);
+        return told_figure(run, words);
+    };
+    constexpr std::string_view kFixed = "Places fixed by hand bend the map";
+    EXPECT_FALSE(told_of("slip 3; fix 11 5 0 0", kFixed)) << "where it was";
+    EXPECT_EQ(told_of("slip 3; fix 11 9 0 0", kFixed), "2");
+    EXPECT_EQ(told_of("fix 11 5 0 0; fix 21 10 0 1", kFixed), "2");
+    EXPECT_EQ(told_of("fix 40 40 0 0", kFixed), "1");
+    EXPECT_FALSE(told_of("fix 40 40 0 0", kScale)) << "the odometry bent nothing";
+}
+
 /// 2.3 times round a ring of corridors, 48 m each time; one scan is blind.
 std::vector<Advice> told_of_ring(bool loops) {
     Walls walls = judged_ring({{-1, -1},
