@@ -164,7 +164,6 @@ bool LoopCloser::says(const Found& found, const Pose& now, const Pose& then, dou
 }
 
 bool LoopCloser::agreed(const Pose& now, const Pose& then, double travelled_m, bool far) {
-    constexpr double kLeastSpan = 1.5;  // [m] of travel between the first and the last
     constexpr std::size_t kMostKept = 12;
     int agreeing = 1;
     double span = 0.0;
@@ -178,7 +177,7 @@ bool LoopCloser::agreed(const Pose& now, const Pose& then, double travelled_m, b
     found_.push_back({compose(then, inverse(now)), travelled_m, far});
     if (found_.size() > kMostKept) found_.pop_front();
     if (far) return agreeing >= params_.loops_agree + kMoreOfFar && span > kFarSpan;
-    return agreeing >= params_.loops_agree && (params_.loops_agree == 1 || span > kLeastSpan);
+    return agreeing >= params_.loops_agree && (params_.loops_agree == 1 || span > kSpan);
 }
 
 /// Places that look alike in what there is differ in what there is not: one passage looks through

@@ -102,6 +102,7 @@ class LoopCloser {
     static constexpr std::size_t kQueryKeys = 16;
     static constexpr std::size_t kFewestPoints = 40;  // of a query
     static constexpr SearchWindow kAboutFound{1.0, 0.1};
+    static constexpr double kSpan = 1.5;  // [m] of travel from the first that agrees to the last
     // Where the graph expects no loop so many more finds must agree, and over that much travel.
     static constexpr int kMoreOfFar = 2;
     static constexpr double kFarSpan = 4.0;  // [m]
@@ -131,7 +132,7 @@ class LoopCloser {
     std::optional<LoopFound> followed_piece(const KeyGraph& graph, const CarriedPiece& piece,
                                             std::vector<LoopRecord>& refused);
     std::optional<double> agreed_on_piece(const KeyGraph& graph, const LoopFound& loop,
-                                          std::size_t piece);
+                                          std::size_t piece, bool said);
     static double piece_seen_through(const KeyGraph& graph, const CarriedPiece& piece,
                                      const Pose& pose);
     const Before& all_before(const KeyGraph& graph, const CarriedPiece& piece);

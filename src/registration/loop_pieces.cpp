@@ -13,6 +13,8 @@ namespace hitos {
 namespace {
 
 constexpr double kSaidHeading = 0.53;  // [rad], 30 degrees, from what somebody says
+constexpr double kSaidTo = 1.2;        // [m], likewise
+constexpr double kDrift = 0.1;         // of the way since
 
 double likeness(const LoopFound& loop) {
     return likeness(loop.record);
@@ -102,8 +104,12 @@ std::optional<LoopFound> LoopCloser::single_place(const KeyGraph& graph, const C
             compose(*piece.start, between(graph.poses[piece.first].pose, graph.poses[newest].pose));
         about.push_back({said->x, said->y});
     }
-    BestPlaces best = best_places(few, before.picture, said ? about : before.positions,
-                                  {.least_score = params_.loop_score});
+    PlacesWanted wanted{.least_score = params_.loop_score};
+    if (said) {
+        const double way_m = graph.scans[newest].travelled_m - graph.scans[piece.first].travelled_m;
+        wanted.within_m = std::min(wanted.within_m, kSaidTo + kDrift * way_m);
+    }
+    BestPlaces best = best_places(few, before.picture, said ? about : before.positions, wanted);
     std::erase_if(best.places, [&said](const Correlation& place) {
         return said && std::abs(wrap_angle(place.pose.theta - said->theta)) > kSaidHeading;
     });
@@ -146,7 +152,7 @@ std::optional<LoopFound> LoopCloser::followed_piece(const KeyGraph& graph,
 /// the robot must be followed the further. Returns the greatest likeness of those that say so: it
 /// may have turned to what nobody has seen since.
 std::optional<double> LoopCloser::agreed_on_piece(const KeyGraph& graph, const LoopFound& loop,
-                                                  std::size_t piece) {
+                                                  std::size_t piece, bool said) {
     constexpr double kRemembered = 100.0;  // [m] of travel
     constexpr double kEachOther = 0.5;     // [m] further for each find that says otherwise
     const Pose& now = graph.poses.back().pose;
@@ -170,8 +176,11 @@ std::optional<double> LoopCloser::agreed_on_piece(const KeyGraph& graph, const L
     }
     sought_.push_back(
         {compose(loop.pose, inverse(now)), travelled_m, true, true, piece, likeness(loop)});
-    const bool enough = agreeing >= params_.loops_agree + kMoreOfFar && agreeing > others &&
-                        span > kFarSpan + kEachOther * others;
+    // Where somebody has said where it is, as many and as far as for any loop.
+    const double least_span = said ? kSpan : kFarSpan;
+    const int least = params_.loops_agree + (said ? 0 : kMoreOfFar);
+    const bool enough =
+        agreeing >= least && agreeing > others && span > least_span + kEachOther * others;
     return enough ? std::optional(most_like) : std::nullopt;
 }
 
@@ -242,7 +251,8 @@ std::optional<LoopFound> LoopCloser::search_piece(const KeyGraph& graph, const C
         single = true;
     }
     if (!loop) return std::nullopt;
-    const std::optional<double> most_like = agreed_on_piece(graph, *loop, piece.first);
+    const std::optional<double> most_like =
+        agreed_on_piece(graph, *loop, piece.first, piece.start.has_value());
     if (!most_like) {
         refuse(loop->record, LoopVerdict::alone);
         return std::nullopt;
