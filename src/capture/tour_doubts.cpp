@@ -18,14 +18,14 @@ namespace {
 
 using Kind = TourFinding::Kind;
 
-constexpr std::array<std::string_view, 31> kWords{
+constexpr std::array<std::string_view, 32> kWords{
     "clocks-apart",      "scan-delay",     "late-stamps",     "ray-times",      "parts-of-a-turn",
     "clock-speed",       "clock-set",      "clock-back",      "broken-stamps",  "coarse-stamps",
     "assumed-mounting",  "two-publishers", "mirrored-laser",  "turned-laser",   "wrong-fan",
     "misplaced-laser",   "no-odometry",    "unread-odometry", "still-odometry", "leaping-odometry",
     "sideways-odometry", "odometry-scale", "odometry-turns",  "odometry-units", "laser-units",
-    "beyond-a-turn",     "blind-laser",    "self-hits",       "frozen-laser",   "unfit-odometry",
-    "unsure-drawing"};
+    "beyond-a-turn",     "blind-laser",    "no-return",       "self-hits",      "frozen-laser",
+    "unfit-odometry",    "unsure-drawing"};
 
 /// As kWayShown, where no laser is as the readings say: slow robots show little.
 constexpr double kWayShownOfNone = 0.03;
@@ -58,6 +58,28 @@ void TourExamination::doubt_small_unit(double typical, std::vector<TourFinding>&
                  fmt::format("{:.2g}", typical), fmt::format("{:.4g}", times)),
          {{marked(HITOS_TEXT("Errors", "read them as such")),
            WholeValues(read_).range_scale(times)}}});
+}
+
+/// What a driver says where it saw nothing, at which the map would have an arc of walls that goes
+/// with the robot.
+void TourExamination::doubt_greatest(std::vector<TourFinding>& found) const {
+    constexpr double kLeastShare = 0.005;
+    constexpr double kParts = 100.0;  // of a metre
+    const std::optional<GreatestRanges::Code> code = greatest_.code();
+    if (!code) return;
+    const double share = static_cast<double>(code->times) / static_cast<double>(sampled_);
+    if (share < kLeastShare) return;
+    found.push_back(
+        {Kind::no_return,
+         code->range_m,
+         message(HITOS_TEXT("Errors",
+                            "%1 % of the readings are %2 m, the greatest of all and three times as "
+                            "many as of any distance near it, as where a driver says that nothing "
+                            "was seen: they are taken for walls, which go with the robot"),
+                 fmt::format("{:.1f}", 100.0 * share), fmt::format("{:.4g}", code->range_m)),
+         {{marked(HITOS_TEXT("Errors", "leave them out")),
+           set("source.max_range",
+               fmt::format("{:.6g}", std::floor(code->range_m * kParts) / kParts))}}});
 }
 
 /// Ranges that are no metres.
@@ -130,6 +152,7 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
                          "range"))}}});
     }
     doubt_units(found);
+    doubt_greatest(found);
     const double turn = std::abs(fan_.max_angle_rad - fan_.min_angle_rad);
     const double rays = static_cast<double>(fan_.count) - 1.0;
     constexpr double kRounding = 0.9 * kRadiansPerDegree;

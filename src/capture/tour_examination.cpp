@@ -168,10 +168,15 @@ void TourExamination::note(const Scan& scan) {
     }
     if (!scan.points.empty() && medians_.size() < kMostSamples) {
         std::vector<float> ranges;
-        for (const Point2& point : scan.points) {
-            const Point2 mounting{scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y};
-            ranges.push_back(static_cast<float>(distance(mounting, point)));
+        ranges.reserve(scan.points.size());
+        const Point2 mounting{scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y};
+        const bool by_ray = scan.rays.size() == scan.points.size();
+        for (std::size_t i = 0; i < scan.points.size(); ++i) {
+            const double range = distance(mounting, scan.points[i]);
+            ranges.push_back(static_cast<float>(range));
+            greatest_.note(range, by_ray ? scan.rays[i] : i);
         }
+        sampled_ += scan.points.size();
         medians_.push_back(median(std::move(ranges)));
     }
     keep(scan);

@@ -13,8 +13,6 @@ namespace hitos {
 namespace {
 
 constexpr double kSaidHeading = 0.53;  // [rad], 30 degrees, from what somebody says
-constexpr double kSaidTo = 1.2;        // [m], likewise
-constexpr double kDrift = 0.1;         // of the way since
 
 double likeness(const LoopFound& loop) {
     return likeness(loop.record);
@@ -104,12 +102,8 @@ std::optional<LoopFound> LoopCloser::single_place(const KeyGraph& graph, const C
             compose(*piece.start, between(graph.poses[piece.first].pose, graph.poses[newest].pose));
         about.push_back({said->x, said->y});
     }
-    PlacesWanted wanted{.least_score = params_.loop_score};
-    if (said) {
-        const double way_m = graph.scans[newest].travelled_m - graph.scans[piece.first].travelled_m;
-        wanted.within_m = std::min(wanted.within_m, kSaidTo + kDrift * way_m);
-    }
-    BestPlaces best = best_places(few, before.picture, said ? about : before.positions, wanted);
+    BestPlaces best = best_places(few, before.picture, said ? about : before.positions,
+                                  {.least_score = params_.loop_score});
     std::erase_if(best.places, [&said](const Correlation& place) {
         return said && std::abs(wrap_angle(place.pose.theta - said->theta)) > kSaidHeading;
     });

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "hitos/capture/greatest_ranges.hpp"
 #include "hitos/capture/scan.hpp"
 #include "hitos/capture/tour_finding.hpp"
 #include "hitos/capture/tour_reader.hpp"
@@ -106,6 +107,7 @@ class TourExamination {
     void keep(const Scan& scan);
     void doubt_readings(std::vector<TourFinding>& found) const;
     void doubt_units(std::vector<TourFinding>& found) const;
+    void doubt_greatest(std::vector<TourFinding>& found) const;
     void doubt_small_unit(double typical, std::vector<TourFinding>& found) const;
     /// What the odometry's metres are, where no robot is so fast; else nothing.
     const LengthUnit* way_unit() const;
@@ -258,7 +260,9 @@ class TourExamination {
     std::vector<std::uint32_t> seen_rays_;  ///< how often each had a reading
     float first_ray_s_ = 0.0F;              ///< as the longest sweep says that was believed
     float last_ray_s_ = 0.0F;
-    std::vector<float> medians_;  ///< of the ranges of a sample of scans
+    std::vector<float> medians_;  ///< of the ranges of a sample of scans,
+    GreatestRanges greatest_;     ///< and the greatest of these ranges,
+    std::uint64_t sampled_ = 0;   ///< of so many
 };
 
 /// How well some pairs of a tour fit a hypothesis: their mean agreement, 0 where there is none or

@@ -64,8 +64,10 @@ struct TourFinding {
         laser_units,     ///< readings of a distance that no such laser sees; value: median [m]
         beyond_a_turn,   ///< rays over more than a turn; value: angle from first to last [rad]
         blind_laser,     ///< hardly any scan has a point; value: share of those with none
-        self_hits,       ///< rays that always end on the robot; value: how many
-        frozen_laser,    ///< the same ranges while the robot drives; value: share of such scans
+        no_return,     ///< readings that say "nothing seen" are taken for walls; value: their range
+                       ///< [m]
+        self_hits,     ///< rays that always end on the robot; value: how many
+        frozen_laser,  ///< the same ranges while the robot drives; value: share of such scans
         unfit_odometry,  ///< the scans do not lie where it puts them; value: share of their points
                          ///< that do, or how far it is off, of what is driven
         unsure_drawing   ///< a world's drawing may have other walls; value: its place of those

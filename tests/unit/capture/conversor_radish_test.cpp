@@ -72,6 +72,20 @@ TEST(ConversorRadish, ARepeatedMaximumIsNoReturn) {
     EXPECT_EQ(smaller.scans.back().points.size(), 1U);
 }
 
+TEST(ConversorRadish, ACodeIsOneAmongWallsThatLieJustBelow) {
+    std::string text;
+    for (int s = 0; s < 30; ++s) {
+        text += "laser 0 " + std::to_string(s);
+        for (int i = 0; i < 20; ++i) {
+            const bool none = (i + s) % 5 == 0;
+            text += " " + (none ? "8.00" : std::to_string(7.52 + 0.0091 * ((7 * i + 3 * s) % 29))) +
+                    " " + std::to_string(-1.0 + 0.1 * i) + " 0";
+        }
+        text += "\n";
+    }
+    EXPECT_EQ(radish(text).scans.at(0).points.size(), 16U);
+}
+
 TEST(ConversorRadish, AFarCornerIsAPoint) {
     // The same distance on one ray, scan after scan, of a robot at rest.
     std::string text;

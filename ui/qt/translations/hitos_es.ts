@@ -3470,6 +3470,14 @@
         <source>%1 of %2 scans lie beyond what a grid can hold (%3 million cells); one of %4 m a cell holds them all (grid.resolution)</source>
         <translation>%1 de %2 barridos quedan fuera de lo que cabe en una rejilla (%3 millones de celdas); en una de %4 m por celda caben todos (grid.resolution)</translation>
     </message>
+    <message>
+        <source>%1 % of the readings are %2 m, the greatest of all and three times as many as of any distance near it, as where a driver says that nothing was seen: they are taken for walls, which go with the robot</source>
+        <translation>El %1 % de las lecturas son de %2 m, la mayor de todas y tres veces tantas como de cualquier distancia cercana, como donde un controlador dice que no se vio nada: se toman por paredes, que van con el robot</translation>
+    </message>
+    <message>
+        <source>leave them out</source>
+        <translation>déjelas fuera</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>

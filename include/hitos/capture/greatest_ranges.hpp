@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The greatest of many readings, and whether they are a code for "no return".
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace hitos {
+
+/// Counts readings within half a metre of the greatest one, by the millimetre.
+class GreatestRanges {
+  public:
+    /// A finite one [m], of that ray of its scan.
+    void note(double range_m, std::size_t ray);
+
+    struct Code {
+        double range_m = 0.0;
+        std::size_t times = 0;
+    };
+    /// The greatest, where it is repeated as no real distance would be. A code comes over and over,
+    /// on many rays. A far corner seen by a robot at rest repeats its distance too, but on a ray or
+    /// two, and a far wall repeats others just below.
+    std::optional<Code> code() const;
+
+  private:
+    struct Counted {
+        double range_m = 0.0;
+        std::size_t times = 0;
+        std::set<std::size_t> rays = {};  ///< some of them
+    };
+    std::map<long, Counted> by_millimetre_;
+};
+
+}  // namespace hitos
