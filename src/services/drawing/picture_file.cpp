@@ -47,8 +47,8 @@ cv::Mat scaled(const Grid::Picture& picture, int scale) {
                 "a picture of %1 x %2 pixels is too great; use a smaller scale or coarser cells"),
             width, height));
     }
-    const cv::Mat cells(picture.height, picture.width, CV_8UC1,
-                        const_cast<std::uint8_t*>(picture.grey.data()));
+    cv::Mat cells(picture.height, picture.width, CV_8UC1,
+                  const_cast<std::uint8_t*>(picture.grey.data()));
     if (scale == 1) return cells;
     cv::Mat image;
     cv::resize(cells, image, cv::Size(static_cast<int>(width), static_cast<int>(height)), 0, 0,
