@@ -63,7 +63,7 @@ void TourExamination::doubt_small_unit(double typical, std::vector<TourFinding>&
 /// What a driver says where it saw nothing, at which the map would have an arc of walls that goes
 /// with the robot.
 void TourExamination::doubt_greatest(std::vector<TourFinding>& found) const {
-    constexpr double kLeastShare = 0.005;
+    constexpr double kLeastShare = 0.002;
     constexpr double kParts = 100.0;  // of a metre
     const std::optional<GreatestRanges::Code> code = greatest_.code();
     if (!code) return;
@@ -79,7 +79,7 @@ void TourExamination::doubt_greatest(std::vector<TourFinding>& found) const {
                  fmt::format("{:.1f}", 100.0 * share), fmt::format("{:.4g}", code->range_m)),
          {{marked(HITOS_TEXT("Errors", "leave them out")),
            set("source.max_range",
-               fmt::format("{:.6g}", std::floor(code->range_m * kParts) / kParts))}}});
+               fmt::format("{:.6g}", (std::ceil(code->least_m * kParts) - 1.0) / kParts))}}});
 }
 
 /// Ranges that are no metres.
@@ -152,7 +152,6 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
                          "range"))}}});
     }
     doubt_units(found);
-    doubt_greatest(found);
     const double turn = std::abs(fan_.max_angle_rad - fan_.min_angle_rad);
     const double rays = static_cast<double>(fan_.count) - 1.0;
     constexpr double kRounding = 0.9 * kRadiansPerDegree;
@@ -402,6 +401,17 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
     });
     // What the reader told of leaps does not hold for these.
     if (own.empty()) doubt_pauses(own);
+    const bool metres = !holds(own, Kind::laser_units) && !holds(told, Kind::laser_units);
+    std::vector<TourFinding> unseen;
+    if (metres) doubt_greatest(unseen);
+    if (!unseen.empty()) {
+        // What goes with the robot says nothing of how far it drives; of clocks it hides nothing.
+        std::erase_if(own, [](const TourFinding& finding) {
+            return finding.kind == Kind::unfit_odometry || finding.kind == Kind::misplaced_laser ||
+                   finding.kind == Kind::odometry_scale || finding.kind == Kind::odometry_turns;
+        });
+        own.push_back(std::move(unseen.front()));
+    }
     std::ranges::move(own, std::back_inserter(told));
     std::ranges::stable_sort(told, {}, &TourFinding::kind);
     return told;

@@ -166,7 +166,8 @@ void TourExamination::note(const Scan& scan) {
         first_ray_s_ = scan.first_s;
         last_ray_s_ = scan.last_s;
     }
-    if (!scan.points.empty() && medians_.size() < kMostSamples) {
+    constexpr std::uint64_t kEvery = 8;  // beyond the first thousands
+    if (!scan.points.empty() && (medians_.size() < kMostSamples || scans_ % kEvery == 0)) {
         std::vector<float> ranges;
         ranges.reserve(scan.points.size());
         const Point2 mounting{scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y};
@@ -177,7 +178,7 @@ void TourExamination::note(const Scan& scan) {
             greatest_.note(range, by_ray ? scan.rays[i] : i);
         }
         sampled_ += scan.points.size();
-        medians_.push_back(median(std::move(ranges)));
+        if (medians_.size() < kMostSamples) medians_.push_back(median(std::move(ranges)));
     }
     keep(scan);
 }

@@ -170,7 +170,7 @@ std::optional<double> LoopCloser::agreed_on_piece(const KeyGraph& graph, const L
     }
     sought_.push_back(
         {compose(loop.pose, inverse(now)), travelled_m, true, true, piece, likeness(loop)});
-    // Where somebody has said where it is, as many and as far as for any loop.
+    // Where somebody has said where it is, as many finds as for any loop.
     const double least_span = said ? kSpan : kFarSpan;
     const int least = params_.loops_agree + (said ? 0 : kMoreOfFar);
     const bool enough =

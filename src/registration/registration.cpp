@@ -342,15 +342,12 @@ RegistrationFigures Registration::Impl::figures() const {
     figures.edits_unmet = editor_.unmet();
     figures.drawing = laid_drawing(graph_.poses, graph_.edges);
     figures.anchors = anchor_figures();
-    figures.fixed = fixes_.size();
     const std::span<const GraphEdit> edits = editor_.edits();
-    for (std::size_t i = 0; i < edits.size(); ++i) {
-        if (edits[i].kind == GraphEdit::Kind::slip &&
-            std::ranges::count(figures.edits_unmet, i) == 0)
-            ++figures.slips;
-    }
-    for (const NotedChange& fix : fixes_)
-        if (fix.bent > fix.limit) figures.fixes_strained.push_back(number_of(fix.edit) - 1);
+    for (std::size_t i = 0; i < edits.size(); ++i)
+        if (std::ranges::count(figures.edits_unmet, i) == 0) figures.edits_met.push_back(edits[i]);
+    const auto strained =
+        std::ranges::find_if(fixes_, [](const NotedChange& fix) { return fix.bent > fix.limit; });
+    if (strained != fixes_.end()) figures.strained_fix = number_of(strained->edit) - 1;
     figures.loops_refused = static_cast<std::uint64_t>(std::ranges::count_if(
         refused_, [](const LoopRecord& loop) { return loop.verdict != LoopVerdict::alone; }));
     return figures;

@@ -110,7 +110,7 @@ void Registration::Impl::begin_second_tour(std::uint64_t scan, const TourBegin& 
     const std::size_t first = graph_.size() - 1;
     graph_.cut(first);
     carried_.push_back({first, first, scan, travelled_m_, true, begin.start});
-    figures_.later_tours.push_back({scan, std::nullopt, 0.0, scan});
+    figures_.later_tours.push_back({scan, std::nullopt, 0.0, scan, begin.start.has_value()});
     if (begin.hold) {
         editor_.check_held(graph_, scan, forced_keys_);
         held_ = first;

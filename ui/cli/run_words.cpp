@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -41,31 +42,34 @@ void tell_times(const RunTimes& times, std::uint64_t scans, const Report& report
 
 namespace {
 
-/// "  by hand 1 loop closed, 2 refused, 1 place fixed"; nothing where nobody changed anything.
-void tell_by_hand(const RunQuality& quality, const RegistrationFigures& figures,
-                  const Report& report) {
-    const auto count = [&](auto is) {
-        return static_cast<std::uint64_t>(std::ranges::count_if(quality.loops, is));
-    };
-    const std::uint64_t closed = count([](const RunLoop& loop) { return loop.record.by_hand; });
-    const std::uint64_t refused =
-        count([](const RunLoop& loop) { return loop.record.verdict == LoopVerdict::by_hand; });
+/// "  by hand 1 loop closed, 2 loops refused, 1 place fixed"; nothing where nobody changed
+/// anything.
+void tell_by_hand(const RegistrationFigures& figures, const Report& report) {
+    std::uint64_t anchors = 0;
+    std::map<GraphEdit::Kind, std::uint64_t> counts;
+    for (const GraphEdit& edit : figures.edits_met) {
+        if (edit.anchors()) ++anchors;
+        ++counts[edit.kind];
+    }
+    using Kind = GraphEdit::Kind;
     std::vector<std::string> words;
-    if (closed > 0) words.push_back(fmt::format("{} closed", plural(closed, "loop")));
-    if (refused > 0) words.push_back(fmt::format("{} refused", plural(refused, "loop")));
-    if (figures.fixed > 0) words.push_back(fmt::format("{} fixed", plural(figures.fixed, "place")));
-    if (figures.slips > 0) words.push_back(plural(figures.slips, "slip"));
-    if (!figures.anchors.empty()) words.push_back(plural(figures.anchors.size(), "anchor"));
+    const auto say = [&](std::uint64_t count, const char* one, const char* what) {
+        if (count > 0) words.push_back(plural(count, one) + what);
+    };
+    say(counts[Kind::close], "loop", " closed");
+    say(counts[Kind::refuse], "loop", " refused");
+    say(counts[Kind::fix], "place", " fixed");
+    say(counts[Kind::slip], "slip", "");
+    say(anchors, "anchor", "");
     if (!words.empty()) report.say("  by hand {}\n", fmt::join(words, ", "));
 }
 
-/// "910 scans"; of a tour that goes on with a map, how many of them are the map's.
+/// "910 scans"; of a tour that goes on with a map, how many of them are that map's.
 std::string scans_words(const RunSummary& summary) {
     std::string words = plural(summary.scans, "scan");
     const auto& figures = summary.quality.registration;
     if (!figures || figures->later_tours.empty()) return words;
-    return fmt::format("{}, {} of them of the map's tour,", words,
-                       figures->later_tours.front().begin);
+    return fmt::format("{}, {} of them the map's,", words, figures->later_tours.back().begin);
 }
 
 }  // namespace
@@ -107,7 +111,7 @@ void tell_summary(const RunSummary& summary, const std::string& folder, const Re
                    figures->scans - figures->unmatched, plural(figures->scans, "scan"),
                    plural(static_cast<std::uint64_t>(closed), "loop"),
                    figures->largest_correction_m);
-        tell_by_hand(summary.quality, *figures, report);
+        tell_by_hand(*figures, report);
         if (figures->drawing && figures->drawing->firm) {
             const Pose start = inverse(figures->drawing->pose);
             report.say(

@@ -17,6 +17,7 @@ class GreatestRanges {
 
     struct Code {
         double range_m = 0.0;
+        double least_m = 0.0;  ///< that counts as the same, to three millimetres
         std::size_t times = 0;
     };
     /// The greatest, where it is repeated as no real distance would be. A code comes over and over,
@@ -26,7 +27,8 @@ class GreatestRanges {
 
   private:
     struct Counted {
-        double range_m = 0.0;
+        double range_m = 0.0;  ///< greatest
+        double least_m = 0.0;
         std::size_t times = 0;
         std::set<std::size_t> rays = {};  ///< some of them
     };

@@ -29,6 +29,7 @@ struct SecondTour {
     double way_m = 0.0;                  ///< driven until then
     /// Its first scan that was laid in the map: behind a break, what comes before lies beside it.
     std::uint64_t laid_from = 0;
+    bool said = false;  ///< somebody said where it begins
 };
 
 /// What an anchor to a drawing came to.
@@ -57,10 +58,10 @@ struct RegistrationFigures {
     /// Of the changes by hand, by their places, those that have met nothing to change: refused
     /// loops that nobody has found, scans that have not come.
     std::vector<std::uint64_t> edits_unmet;
-    std::uint64_t fixed = 0;  ///< places, by hand
-    std::uint64_t slips = 0;  ///< likewise steps of the odometry that are told to be wrong
-    /// Likewise those fixed places that bend the graph more than its edges explain.
-    std::vector<std::uint64_t> fixes_strained = {};
+    std::vector<GraphEdit> edits_met = {};  ///< the other ones
+    /// The first of those places that bends the graph more than its edges explain, as edits_unmet;
+    /// others may pull against a wrong one.
+    std::optional<std::uint64_t> strained_fix = {};
     std::vector<SecondTour> later_tours = {};
     std::vector<AnchorFigures> anchors = {};  ///< in the order of the tour
     std::optional<LaidDrawing> drawing = {};  ///< that they anchor the map to

@@ -138,51 +138,53 @@ class Palette {
     static std::optional<Palette> of(const cv::Mat& image) {
         if (image.type() != CV_8UC3) return std::nullopt;
         Palette palette;
-        palette.numbers_.create(image.rows, image.cols, CV_8UC1);
-        cv::Vec3b last;
-        std::uint8_t number = 0;
         for (int y = 0; y < image.rows; ++y) {
-            const auto* const colours = image.ptr<cv::Vec3b>(y);
-            std::uint8_t* const numbers = palette.numbers_.ptr(y);
+            const auto* const row = image.ptr<cv::Vec3b>(y);
             for (int x = 0; x < image.cols; ++x) {
-                if (palette.colours_.n_entries == 0 || colours[x] != last) {
-                    const std::optional<std::uint8_t> found = palette.number_of(colours[x]);
-                    if (!found) return std::nullopt;
-                    number = *found;
-                    last = colours[x];
+                if (x > 0 && row[x] == row[x - 1]) continue;
+                if (palette.numbers_.try_emplace(key(row[x]), palette.numbers_.size()).second &&
+                    !palette.add(row[x])) {
+                    return std::nullopt;
                 }
-                numbers[x] = number;
             }
         }
         return palette;
     }
-    const cv::Mat& numbers() const { return numbers_; }
+
     spng_plte& colours() { return colours_; }
-
-  private:
-    static constexpr std::size_t kMost = 256;
-
-    std::optional<std::uint8_t> number_of(const cv::Vec3b& colour) {
-        const auto key = static_cast<std::uint32_t>(colour[0] | colour[1] << 8 | colour[2] << 16);
-        const auto known = known_.find(key);
-        if (known != known_.end()) return known->second;
-        const std::uint32_t next = colours_.n_entries;
-        if (next == kMost) return std::nullopt;
-        colours_.entries[next] = {colour[2], colour[1], colour[0], 255};
-        ++colours_.n_entries;
-        return known_[key] = static_cast<std::uint8_t>(next);
+    void number(const cv::Mat& row, cv::Mat& numbers) const {
+        numbers.create(1, row.cols, CV_8UC1);
+        const auto* const colours = row.ptr<cv::Vec3b>();
+        std::uint8_t* const out = numbers.ptr();
+        for (int x = 0; x < row.cols; ++x) {
+            out[x] = x > 0 && colours[x] == colours[x - 1]
+                         ? out[x - 1]
+                         : static_cast<std::uint8_t>(numbers_.at(key(colours[x])));
+        }
     }
 
-    cv::Mat numbers_;
+  private:
+    static std::uint32_t key(const cv::Vec3b& colour) {
+        return static_cast<std::uint32_t>(colour[0] | colour[1] << 8 | colour[2] << 16);
+    }
+    bool add(const cv::Vec3b& colour) {
+        constexpr std::uint32_t kMost = 256;
+        if (colours_.n_entries == kMost) return false;
+        colours_.entries[colours_.n_entries++] = {colour[2], colour[1], colour[0], 255};
+        return true;
+    }
+
     spng_plte colours_{};
-    std::unordered_map<std::uint32_t, std::uint8_t> known_;
+    std::unordered_map<std::uint32_t, std::size_t> numbers_;
 };
 
 /// Row by row: large pictures are not copied whole.
-bool encode_rows(const Png& png, const cv::Mat& image) {
+bool encode_rows(const Png& png, const cv::Mat& image, const std::optional<Palette>& palette) {
     cv::Mat row;
     for (int y = 0; y < image.rows; ++y) {
-        if (image.channels() > 1) {
+        if (palette) {
+            palette->number(image.row(y), row);
+        } else if (image.channels() > 1) {
             cv::cvtColor(image.row(y), row, cv::COLOR_BGR2RGB);
         } else {
             row = image.row(y);
@@ -218,7 +220,7 @@ std::string png_of(const cv::Mat& image, std::optional<int> compression) {
         (!palette || is_done(spng_set_plte(png.get(), &palette->colours()))) &&
         is_done(spng_encode_image(png.get(), nullptr, 0, SPNG_FMT_PNG,
                                   SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE)) &&
-        encode_rows(png, palette ? palette->numbers() : image);
+        encode_rows(png, image, palette);
     std::size_t size = 0;
     int error = 0;
     const std::unique_ptr<void, decltype(&std::free)> bytes(

@@ -202,13 +202,13 @@ bool warn_of_anchors(const RegistrationFigures& figures, std::vector<Advice>& wa
     constexpr double kOffRad = 0.03;
     if (!figures.drawing) return false;
     if (!figures.drawing->firm) {
-        warn(
-            warnings,
-            HITOS_TEXT("Advice",
-                       "The anchors (%1 of the changes by hand) do not say where the drawing lies: "
-                       "it takes two walls that are not parallel, two points, or one of each, and "
-                       "further ones to bend the map."),
-            counted(numbers_of(figures.anchors)));
+        warn(warnings,
+             HITOS_TEXT(
+                 "Advice",
+                 "The anchors (no. %1 of the changes by hand) do not say where the drawing lies: "
+                 "it takes two walls that are not parallel, two points, or one of each, and "
+                 "further ones to bend the map."),
+             counted(numbers_of(figures.anchors)));
     }
     std::vector<AnchorFigures> strained;
     std::vector<AnchorFigures> off;
@@ -218,21 +218,22 @@ bool warn_of_anchors(const RegistrationFigures& figures, std::vector<Advice>& wa
             off.push_back(anchor);
     }
     if (!off.empty()) {
-        warn(
-            warnings,
-            HITOS_TEXT("Advice",
-                       "Anchors contradict each other or the map (%1 of the changes by hand): what "
-                       "was seen does not lie where the drawing has it. Is each of them the right "
-                       "wall?"),
-            counted(numbers_of(off)));
+        warn(warnings,
+             HITOS_TEXT(
+                 "Advice",
+                 "Anchors contradict each other or the map (no. %1 of the changes by hand): what "
+                 "was seen does not lie where the drawing has it. Is each of them the right "
+                 "wall?"),
+             counted(numbers_of(off)));
     }
     // One that is wrong may pull others off, and lie well itself.
     if (!strained.empty()) {
-        warn(warnings,
-             HITOS_TEXT("Advice",
-                        "Anchors bend the map more than its edges explain (%1 of the changes by "
-                        "hand): is each of them the right wall, and do walls meet?"),
-             counted(numbers_of(strained)));
+        warn(
+            warnings,
+            HITOS_TEXT("Advice",
+                       "Anchors bend the map more than its edges explain (no. %1 of the changes by "
+                       "hand): is each of them the right wall, and do walls meet?"),
+            counted(numbers_of(strained)));
     }
     return !off.empty() || !strained.empty();
 }
@@ -249,6 +250,16 @@ void warn_of_registration(const Registration& registration, const Trajectory& od
                  fmt::format("{}", tour.laid_from + 1));
         }
         if (tour.found) continue;
+        if (tour.said) {
+            warn(warnings,
+                 HITOS_TEXT("Advice",
+                            "The tour that begins at scan %1 was not found in the map of the one "
+                            "before, within 3 m and 30 degrees of where it is said to begin: it "
+                            "begins elsewhere, or saw too little of the map. It lies beside that "
+                            "map."),
+                 fmt::format("{}", tour.begin + 1));
+            continue;
+        }
         warn(warnings,
              HITOS_TEXT("Advice",
                         "The tour that begins at scan %1 was not found in the map of the one "
@@ -293,15 +304,13 @@ void warn_of_registration(const Registration& registration, const Trajectory& od
     }
     const DrivenBy driven = driven_by(registration, odometry);
     const bool anchored_wrongly = warn_of_anchors(figures, warnings);
-    if (!figures.fixes_strained.empty()) {
+    if (figures.strained_fix) {
         warn(warnings,
              HITOS_TEXT("Advice",
-                        "Places fixed by hand bend the map more than its edges explain (%1 of the "
-                        "changes by hand): are they where those scans were, in metres and radians "
-                        "of this map?"),
-             counted(figures.fixes_strained));
-    } else if (!anchored_wrongly) {
-        warn_of_scale(driven, warnings);
+                        "A place fixed by hand bends the map more than its edges explain (no. %1 "
+                        "of the changes by hand): is it where that scan was (in a file in metres "
+                        "and radians)?"),
+             fmt::format("{}", *figures.strained_fix + 1));
     }
     std::vector<std::uint64_t> misfits;
     for (const LoopRecord& loop : registration.loops())
@@ -310,15 +319,18 @@ void warn_of_registration(const Registration& registration, const Trajectory& od
         warn(warnings,
              HITOS_TEXT("Advice",
                         "Loops that were closed by hand lie on hardly anything that the earlier "
-                        "passage saw (scan %1): is the pose in metres and radians, and of the "
-                        "later scan seen from the earlier one?"),
+                        "passage saw (scan %1): is the pose that of the later scan, seen from "
+                        "the earlier one (in a file in metres and radians)?"),
              counted(misfits));
     }
+    if (!anchored_wrongly && !figures.strained_fix && misfits.empty())
+        warn_of_scale(driven, warnings);
     if (!figures.edits_unmet.empty()) {
         warn(warnings,
-             HITOS_TEXT("Advice",
-                        "Changes by hand have met nothing to change (%1 of the list): loops that "
-                        "nobody has found, or scans that the tour has not come to."),
+             HITOS_TEXT(
+                 "Advice",
+                 "Changes by hand have met nothing to change (no. %1 of the list): loops that "
+                 "nobody has found, or scans that the tour has not come to."),
              counted(figures.edits_unmet));
     }
     if (registration.loops().empty() && driven.path_m > kLongWithoutLoop) {

@@ -127,7 +127,7 @@ Message why_not_whole(const Grid& grid, const Trajectory& path) {
                               "%1 of %2 scans lie beyond what a grid can hold (%3 million cells); "
                               "one of %4 m a cell holds them all (grid.resolution)"),
                    grid.scans_left_out(), path.size(), kMostGridCells / 1'000'000,
-                   fmt::format("{:.2g}", 1.05 * grid.resolution_for_all()));
+                   fmt::format("{:.2g}", 1.1 * grid.resolution_for_all()));
 }
 
 /// The grid as .png, a pixel a cell at least, and as .jpg to look at, with the path over it.

@@ -76,16 +76,8 @@
         <translation>Menos de la mitad de los hitos está a menos de un metro de uno del mapa de referencia (%1): ¿es de este lugar y está en el sistema del punto de partida del robot?</translation>
     </message>
     <message>
-        <source>Changes by hand have met nothing to change (%1 of the list): loops that nobody has found, or scans that the tour has not come to.</source>
-        <translation>Hay cambios a mano que no han encontrado nada que cambiar (%1 de la lista): bucles que nadie ha encontrado, o barridos a los que el recorrido no ha llegado.</translation>
-    </message>
-    <message>
         <source>Changes by hand (%1) are of the graph of key scans; with these parameters there is none, and they change nothing.</source>
         <translation>Los cambios a mano (%1) son del grafo de barridos clave; con estos parámetros no lo hay, y no cambian nada.</translation>
-    </message>
-    <message>
-        <source>Loops that were closed by hand lie on hardly anything that the earlier passage saw (scan %1): is the pose in metres and radians, and of the later scan seen from the earlier one?</source>
-        <translation>Hay bucles cerrados a mano que no caen sobre casi nada de lo que vio la pasada anterior (barrido %1): ¿está la pose en metros y radianes, y es la del barrido posterior vista desde el anterior?</translation>
     </message>
     <message>
         <source>The tour that begins at scan %1 was not found in the map of the one before: it saw too little of it, or only what several places there have in common. It lies beside that map.</source>
@@ -100,20 +92,32 @@
         <translation>El %1 de los barridos no muestra ninguna pared ni esquina: de árboles y postes, que son redondos, se hacen hitos donde features.circles está activado.</translation>
     </message>
     <message>
-        <source>The anchors (%1 of the changes by hand) do not say where the drawing lies: it takes two walls that are not parallel, two points, or one of each, and further ones to bend the map.</source>
-        <translation>Las anclas (la %1 de los cambios a mano) no dicen dónde está el dibujo: hacen falta dos paredes que no sean paralelas, dos puntos o una de cada, y otras más para doblar el mapa.</translation>
+        <source>The anchors (no. %1 of the changes by hand) do not say where the drawing lies: it takes two walls that are not parallel, two points, or one of each, and further ones to bend the map.</source>
+        <translation>Las anclas (n.º %1 de los cambios a mano) no dicen dónde está el dibujo: hacen falta dos paredes que no sean paralelas, dos puntos o una de cada, y otras más para doblar el mapa.</translation>
     </message>
     <message>
-        <source>Anchors contradict each other or the map (%1 of the changes by hand): what was seen does not lie where the drawing has it. Is each of them the right wall?</source>
-        <translation>Hay anclas que se contradicen entre sí o con el mapa (la %1 de los cambios a mano): lo visto no está donde lo tiene el dibujo. ¿Es cada una la pared correcta?</translation>
+        <source>Anchors contradict each other or the map (no. %1 of the changes by hand): what was seen does not lie where the drawing has it. Is each of them the right wall?</source>
+        <translation>Hay anclas que se contradicen entre sí o con el mapa (n.º %1 de los cambios a mano): lo visto no está donde lo tiene el dibujo. ¿Es cada una la pared correcta?</translation>
     </message>
     <message>
-        <source>Anchors bend the map more than its edges explain (%1 of the changes by hand): is each of them the right wall, and do walls meet?</source>
-        <translation>Hay anclas que doblan el mapa más de lo que explican sus aristas (la %1 de los cambios a mano): ¿es cada una la pared correcta, y casan las paredes?</translation>
+        <source>The tour that begins at scan %1 was not found in the map of the one before, within 3 m and 30 degrees of where it is said to begin: it begins elsewhere, or saw too little of the map. It lies beside that map.</source>
+        <translation>El recorrido que empieza en el barrido %1 no se encontró en el mapa del anterior a menos de 3 m y 30 grados de donde se dice que empieza: empieza en otro sitio, o vio demasiado poco del mapa. Queda al lado de ese mapa.</translation>
     </message>
     <message>
-        <source>Places fixed by hand bend the map more than its edges explain (%1 of the changes by hand): are they where those scans were, in metres and radians of this map?</source>
-        <translation>Los sitios fijados a mano doblan el mapa más de lo que explican sus aristas (%1 de los cambios a mano): ¿están donde estaban esos barridos, en metros y radianes de este mapa?</translation>
+        <source>A place fixed by hand bends the map more than its edges explain (no. %1 of the changes by hand): is it where that scan was (in a file in metres and radians)?</source>
+        <translation>Un sitio fijado a mano dobla el mapa más de lo que explican sus aristas (n.º %1 de los cambios a mano): ¿está donde estaba ese barrido (en un archivo, en metros y radianes)?</translation>
+    </message>
+    <message>
+        <source>Loops that were closed by hand lie on hardly anything that the earlier passage saw (scan %1): is the pose that of the later scan, seen from the earlier one (in a file in metres and radians)?</source>
+        <translation>Los bucles cerrados a mano apenas caen sobre lo que vio el paso anterior (barrido %1): ¿es la pose la del barrido posterior, vista desde el anterior (en un archivo, en metros y radianes)?</translation>
+    </message>
+    <message>
+        <source>Changes by hand have met nothing to change (no. %1 of the list): loops that nobody has found, or scans that the tour has not come to.</source>
+        <translation>Hay cambios a mano que no han encontrado nada que cambiar (n.º %1 de la lista): bucles que nadie ha encontrado, o barridos a los que el recorrido no ha llegado.</translation>
+    </message>
+    <message>
+        <source>Anchors bend the map more than its edges explain (no. %1 of the changes by hand): is each of them the right wall, and do walls meet?</source>
+        <translation>Hay anclas que doblan el mapa más de lo que explican sus aristas (n.º %1 de los cambios a mano): ¿es cada una la pared correcta, y casan las paredes?</translation>
     </message>
 </context>
 <context>
