@@ -15,10 +15,11 @@ class GreatestRanges {
     /// A finite one [m], of that ray of its scan.
     void note(double range_m, std::size_t ray);
 
+    /// What they are, and how many.
     struct Code {
-        double range_m = 0.0;
-        double least_m = 0.0;  ///< that counts as the same, to three millimetres
-        std::size_t times = 0;
+        double range_m = 0.0;   ///< greatest
+        double least_m = 0.0;   ///< that counts as the same, to three millimetres
+        std::size_t times = 0;  ///< how often it came
     };
     /// The greatest, where it is repeated as no real distance would be. A code comes over and over,
     /// on many rays. A far corner seen by a robot at rest repeats its distance too, but on a ray or
