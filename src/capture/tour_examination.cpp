@@ -172,12 +172,14 @@ void TourExamination::note(const Scan& scan) {
         ranges.reserve(scan.points.size());
         const Point2 mounting{scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y};
         const bool by_ray = scan.rays.size() == scan.points.size();
+        // What a robot at rest sees again is no more often there.
+        const bool moves = moved > kMoves || readings_ == 0;
         for (std::size_t i = 0; i < scan.points.size(); ++i) {
             const double range = distance(mounting, scan.points[i]);
             ranges.push_back(static_cast<float>(range));
-            greatest_.note(range, by_ray ? scan.rays[i] : i);
+            if (moves) greatest_.note(range, by_ray ? scan.rays[i] : i);
         }
-        sampled_ += scan.points.size();
+        if (moves) sampled_ += scan.points.size();
         if (medians_.size() < kMostSamples) medians_.push_back(median(std::move(ranges)));
     }
     keep(scan);
