@@ -230,7 +230,7 @@ TEST_F(LoopsTest, ChangesThatDoNotFitAreRefusedWithTheReason) {
     // What meets nothing changes nothing, and is told.
     const test::Outcome told = run("unmet", "--set 'registration.edits=refuse 200 3'");
     EXPECT_EQ(told.status, 0);
-    EXPECT_THAT(told.output, HasSubstr("Changes by hand have met nothing to change (1"));
+    EXPECT_THAT(told.output, HasSubstr("Changes by hand have met nothing to change (no. 1"));
 }
 
 }  // namespace
