@@ -15,6 +15,7 @@ void GreatestRanges::note(double range_m, std::size_t ray) {
     constexpr double kPerMetre = 1000.0;
     constexpr long kJustBelow = 500;
     constexpr double kFarthest = 1e9;
+    if (!std::isfinite(range_m)) return;
     const long place = std::lround(std::min(range_m, kFarthest) * kPerMetre);
     if (!by_millimetre_.empty()) {
         const long greatest = by_millimetre_.rbegin()->first;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the value by which a log says "no return", where the format does not state it.
-#include <cmath>
 #include <cstddef>
 
 #include "hitos/capture/greatest_ranges.hpp"
@@ -15,7 +14,7 @@ std::optional<double> find_no_return(const Fuente& fuente, RangeConversor& scrat
         stated = readings.max_is_exact;
         for (std::size_t i = 0; i < readings.ranges_m.size(); ++i) {
             const double range = readings.ranges_m[i];
-            if (range > 0.0 && std::isfinite(range)) greatest.note(range, i);
+            if (range > 0.0) greatest.note(range, i);
         }
         return !stated;
     });

@@ -12,7 +12,7 @@ namespace hitos {
 /// Counts readings within half a metre of the greatest one, by the millimetre.
 class GreatestRanges {
   public:
-    /// A finite one [m], of that ray of its scan.
+    /// Of that ray of its scan [m]; one that is not finite is none.
     void note(double range_m, std::size_t ray);
 
     /// What they are, and how many.
