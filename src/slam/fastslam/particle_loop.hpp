@@ -50,9 +50,9 @@ class ParticleLoop {
     }
 
   private:
-    /// Below this many particle x landmark x observation evaluations a step gains nothing from a
-    /// second thread (measured with tests/bench).
-    static constexpr std::size_t kParallelWork = 12000;
+    /// Below this many particle x landmark x observation evaluations a run gains nothing from a
+    /// second thread, which waits for the next step at the cost of a processor.
+    static constexpr std::size_t kParallelWork = 100000;
 
     ThreadCrew crew_;
 };

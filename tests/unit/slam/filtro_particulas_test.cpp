@@ -232,7 +232,7 @@ TEST(FiltroParticulas, MapsTheRoom) {
 }
 
 TEST(FiltroParticulas, SameBitsForAnyNumberOfThreads) {
-    constexpr std::size_t kParticles = 2000;  // enough work for every part of a step
+    constexpr std::size_t kParticles = 16000;  // enough work for every part of a step
     const Tour tour = make_tour(60, 0.1);
     FiltroParticulas alone(room_params(kParticles), 3, 1);
     std::vector<std::unique_ptr<FiltroParticulas>> others;

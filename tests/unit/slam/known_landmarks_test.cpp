@@ -134,7 +134,9 @@ TEST_P(KnownLandmarks, AreNotTakenByANamelessSightingOfTheSameScan) {
     EXPECT_EQ(known.reason, Association::Reason::known);
     const bool one_each = params_.algorithm == "fastslam" ||
                           params_.association.method == AssociationMethod::joint_compatibility;
-    if (one_each) EXPECT_NE(filter->associations()[1].outcome, Association::Outcome::matched);
+    if (one_each) {
+        EXPECT_NE(filter->associations()[1].outcome, Association::Outcome::matched);
+    }
 }
 
 TEST_P(KnownLandmarks, WhatIsRecordedIsWhatWasDone) {
