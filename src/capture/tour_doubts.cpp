@@ -60,28 +60,6 @@ void TourExamination::doubt_small_unit(double typical, std::vector<TourFinding>&
            WholeValues(read_).range_scale(times)}}});
 }
 
-/// What a driver says where it saw nothing, at which the map would have an arc of walls that goes
-/// with the robot.
-void TourExamination::doubt_greatest(std::vector<TourFinding>& found) const {
-    constexpr double kLeastShare = 0.002;
-    constexpr double kParts = 100.0;  // of a metre
-    const std::optional<GreatestRanges::Code> code = greatest_.code();
-    if (!code) return;
-    const double share = static_cast<double>(code->times) / static_cast<double>(sampled_);
-    if (share < kLeastShare) return;
-    found.push_back(
-        {Kind::no_return,
-         code->range_m,
-         message(HITOS_TEXT("Errors",
-                            "%1 % of the readings are %2 m, the greatest of all and three times as "
-                            "many as of any distance near it, as where a driver says that nothing "
-                            "was seen: they are taken for walls, which go with the robot"),
-                 fmt::format("{:.1f}", 100.0 * share), fmt::format("{:.4g}", code->range_m)),
-         {{marked(HITOS_TEXT("Errors", "leave them out")),
-           set("source.max_range",
-               fmt::format("{:.6g}", (std::ceil(code->least_m * kParts) - 1.0) / kParts))}}});
-}
-
 /// Ranges that are no metres.
 void TourExamination::doubt_units(std::vector<TourFinding>& found) const {
     constexpr double kFar = 30.0;
@@ -402,15 +380,13 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
     // What the reader told of leaps does not hold for these.
     if (own.empty()) doubt_pauses(own);
     const bool metres = !holds(own, Kind::laser_units) && !holds(told, Kind::laser_units);
-    std::vector<TourFinding> unseen;
-    if (metres) doubt_greatest(unseen);
-    if (!unseen.empty()) {
+    if (std::optional<TourFinding> unseen = metres ? taken_for_walls() : std::nullopt) {
         // What goes with the robot says nothing of how far it drives; of clocks it hides nothing.
         std::erase_if(own, [](const TourFinding& finding) {
             return finding.kind == Kind::unfit_odometry || finding.kind == Kind::misplaced_laser ||
                    finding.kind == Kind::odometry_scale || finding.kind == Kind::odometry_turns;
         });
-        own.push_back(std::move(unseen.front()));
+        own.push_back(*std::move(unseen));
     }
     std::ranges::move(own, std::back_inserter(told));
     std::ranges::stable_sort(told, {}, &TourFinding::kind);

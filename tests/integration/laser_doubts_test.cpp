@@ -17,6 +17,7 @@ namespace hitos {
 namespace {
 
 using Kind = TourFinding::Kind;
+using test::add_reading;
 using test::Readings;
 
 Readings complex_tour() {
@@ -61,12 +62,7 @@ TEST(LaserDoubts, APartOfTheRobotIsToldThoughItsReadingsWaverAndItsRaysAreNotAsM
         scan.fan.count -= static_cast<std::uint32_t>(
             n % 3);  // from scan to scan a ray or two less, over the same angle
         for (std::uint32_t ray = kFirst; ray < kFirst + kRays; ++ray) {
-            const double angle = scan.fan.angle_rad(ray);
-            const double range = 0.3 + off(random);
-            scan.points.push_back(
-                transform(scan.fan.pose_robot_laser,
-                          Point2{range * std::cos(angle), range * std::sin(angle)}));
-            scan.rays.push_back(ray);
+            add_reading(scan, ray, 0.3 + off(random));
         }
     }
     const auto found = tour.of_kind(Kind::self_hits);

@@ -23,6 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Kind = TourFinding::Kind;
+using test::add_reading;
 using test::read;
 using test::Readings;
 
@@ -202,11 +203,7 @@ TEST_P(OfWorld, RaysThatSawNothingAreToldWhereTheyAreTakenForWallsAndHideNoClock
         Scan& scan = other.scans[i];
         if (i % 2 == 0) continue;  // some scans see walls all round
         for (std::uint32_t ray = 0; ray < scan.fan.count; ray += 9) {
-            const double angle = scan.fan.angle_rad(ray);
-            scan.points.push_back(
-                transform(scan.fan.pose_robot_laser,
-                          Point2{kCode * std::cos(angle), kCode * std::sin(angle)}));
-            scan.rays.push_back(ray);
+            add_reading(scan, ray, kCode);
         }
     }
     const auto found = other.of_kind(Kind::no_return);
@@ -227,12 +224,7 @@ TEST_P(OfWorld, APartOfTheRobotThatTheLaserSeesIsTold) {
         constexpr std::uint32_t kRays = 6;
         left = -left;  // rounding to millimetres
         for (std::uint32_t ray = kFirst; ray < kFirst + kRays; ++ray) {
-            const double angle = scan.fan.angle_rad(ray);
-            const double range = 0.301 + 0.0005 * left;
-            scan.points.push_back(
-                transform(scan.fan.pose_robot_laser,
-                          Point2{range * std::cos(angle), range * std::sin(angle)}));
-            scan.rays.push_back(ray);
+            add_reading(scan, ray, 0.301 + 0.0005 * left);
         }
     }
     const auto found = own.of_kind(Kind::self_hits);

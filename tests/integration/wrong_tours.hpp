@@ -2,6 +2,8 @@
 // Tours that are made wrong on purpose, and what is told of them.
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +13,14 @@
 #include "hitos/workbench/shipped_data.hpp"
 
 namespace hitos::test {
+
+/// That a ray of the scan ends so far from the laser.
+inline void add_reading(Scan& scan, std::uint32_t ray, double range_m) {
+    const double angle = scan.fan.angle_rad(ray);
+    scan.points.push_back(transform(scan.fan.pose_robot_laser,
+                                    Point2{range_m * std::cos(angle), range_m * std::sin(angle)}));
+    scan.rays.push_back(ray);
+}
 
 /// A tour wholly read, to be made wrong.
 struct Readings {

@@ -107,7 +107,8 @@ class TourExamination {
     void keep(const Scan& scan);
     void doubt_readings(std::vector<TourFinding>& found) const;
     void doubt_units(std::vector<TourFinding>& found) const;
-    void doubt_greatest(std::vector<TourFinding>& found) const;
+    /// Readings that say that nothing was seen.
+    std::optional<TourFinding> taken_for_walls() const;
     void doubt_small_unit(double typical, std::vector<TourFinding>& found) const;
     /// What the odometry's metres are, where no robot is so fast; else nothing.
     const LengthUnit* way_unit() const;

@@ -268,13 +268,18 @@ TEST(QualityWarnings, OfALoopThatMovedThePathFar) {
     EXPECT_FALSE(told_of_carried(3.0));
 }
 
+/// Of so many scans in a hall, whose graph somebody has changed.
+std::optional<std::string> told_of_edits(const char* edits, int scans, std::string_view words) {
+    RegistrationParams params;
+    params.edits = edits;
+    JudgedRun run(params);
+    run.ahead(judged_hall(), {}, scans);
+    return told_figure(run, words);
+}
+
 TEST(QualityWarnings, OfAnchorsThatContradictOrSayNothing) {
     const auto told = [](const char* edits, std::string_view words) {
-        RegistrationParams params;
-        params.edits = edits;
-        JudgedRun run(params);
-        run.ahead(judged_hall(), {}, 10);
-        return told_figure(run, words);
+        return told_of_edits(edits, 10, words);
     };
     constexpr std::string_view kLoose = "do not say where the drawing lies";
     constexpr std::string_view kOff = "contradict each other";
@@ -287,11 +292,7 @@ TEST(QualityWarnings, OfAnchorsThatContradictOrSayNothing) {
 
 TEST(QualityWarnings, OfPlacesThatWereFixedWrongly) {
     const auto told_of = [](const char* edits, std::string_view words) {
-        RegistrationParams params;
-        params.edits = edits;
-        JudgedRun run(params);
-        run.ahead(judged_hall(), {}, 40);
-        return told_figure(run, words);
+        return told_of_edits(edits, 40, words);
     };
     constexpr std::string_view kFixed = "A place fixed by hand bends the map";
     EXPECT_FALSE(told_of("slip 3; fix 11 5 0 0", kFixed)) << "where it was";
