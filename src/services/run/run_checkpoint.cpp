@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -167,12 +168,15 @@ void RunCheckpoints::note(const Algoritmo& run) {
     kept_.emplace(steps, Kept{std::move(checkpoint), bytes});
     bytes_ += bytes;
     while (kept_.size() > 2 && (kept_.size() > kMost || bytes_ > most_bytes_)) {
-        spacing_ *= 2;
-        for (auto kept = kept_.begin(); kept != kept_.end();) {
-            const bool stays = kept->first % spacing_ == 0;
-            if (!stays) bytes_ -= kept->second.bytes;
-            kept = stays ? std::next(kept) : kept_.erase(kept);
+        // Every other one goes, one at a time, so that most of the memory is in use.
+        const auto odd = std::ranges::find_if(
+            kept_, [this](const auto& kept) { return kept.first % (2 * spacing_) != 0; });
+        if (odd == kept_.end()) {
+            spacing_ *= 2;
+            continue;
         }
+        bytes_ -= odd->second.bytes;
+        kept_.erase(odd);
     }
 }
 

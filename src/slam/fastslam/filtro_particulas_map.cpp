@@ -85,9 +85,10 @@ std::unique_ptr<SlamFilter> FiltroParticulas::clone() const {
     auto copy = std::make_unique<FiltroParticulas>(params_, seed_, threads_);
     copy->particles_ = particles_;
     copy->maps_ = maps_;
-    copy->workers_ = workers_;  // with pieces of maps that are ready to become some
     copy->selected_ = selected_;
-    copy->history_ = history_;
+    std::vector<PoseHistory::Node*> newest;
+    for (Particula& particle : copy->particles_) newest.push_back(&particle.history);
+    copy->history_.assign_held(history_, newest);
     copy->best_ = best_;
     copy->steps_ = steps_;
     copy->statistics_ = statistics_;

@@ -50,7 +50,7 @@ class MapCheck {
     }
     void check_leaves() {
         const LandmarkRow& row = table_.rows[map_];
-        const std::size_t own = std::min(row.leaf_count(), LandmarkRow::kOwn);
+        const std::size_t own = row.own_leaves();
         for (std::size_t i = 0; i < own; ++i) hold(leaves_, row.leaves[i], "leaf");
         std::size_t behind = row.leaf_count() - own;
         for (const std::uint32_t id : table_.pages[map_]) {

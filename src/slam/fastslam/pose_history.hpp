@@ -21,6 +21,35 @@ class PoseHistory {
     using Node = std::uint32_t;
     static constexpr Node kNone = UINT32_MAX;
 
+    PoseHistory() = default;
+    PoseHistory(const PoseHistory&) = delete;
+    PoseHistory& operator=(const PoseHistory&) = delete;
+    ~PoseHistory() = default;
+
+    /// Becomes what somebody holds of the other's nodes, side by side; `leaves` are made to name
+    /// them.
+    void assign_held(const PoseHistory& other, std::span<Node* const> leaves) {
+        std::vector<Node> numbers(other.poses_.size(), kNone);
+        std::vector<Node> held;
+        held.reserve(other.size());
+        for (Node node = 0; node < other.poses_.size(); ++node) {
+            if (other.references_[node] == 0) continue;
+            numbers[node] = static_cast<Node>(held.size());
+            held.push_back(node);
+        }
+        const auto now = [&](Node node) { return node == kNone ? kNone : numbers[node]; };
+        poses_.resize(held.size());
+        parents_.resize(held.size());
+        references_.resize(held.size());
+        free_.clear();
+        for (std::size_t i = 0; i < held.size(); ++i) {
+            poses_[i] = other.poses_[held[i]];
+            parents_[i] = now(other.parents_[held[i]]);
+            references_[i] = other.references_[held[i]];
+        }
+        for (Node* const leaf : leaves) *leaf = now(*leaf);
+    }
+
     /// A new pose after `parent` (kNone: the first). The caller's hold on `parent` passes to the
     /// new node, which the caller holds.
     Node append(Node parent, const Pose& pose) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -54,6 +55,7 @@ struct alignas(64) LandmarkRow {
     std::array<std::uint32_t, kOwn> leaves;
 
     std::size_t leaf_count() const { return (size + 7) / 8; }
+    std::size_t own_leaves() const { return std::min(leaf_count(), kOwn); }
 };
 static_assert(sizeof(LandmarkRow) == 64);
 
@@ -78,6 +80,30 @@ struct LandmarkPools {
     std::size_t columns = kColumns;  ///< that are in use: what is behind them is not copied
 
     std::size_t bytes() const { return leaves.bytes() + pages.bytes() + nodes.bytes(); }
+    /// Becomes a copy of what maps hold of the other's; `rows` and their `behind`, the pages, are
+    /// made to name it.
+    void assign_held(const LandmarkPools& other, std::span<LandmarkRow> rows,
+                     std::span<std::vector<std::uint32_t>> behind) {
+        columns = other.columns;
+        const std::vector<std::uint32_t> leaf = leaves.assign_held(other.leaves);
+        const std::vector<std::uint32_t> page = pages.assign_held(other.pages);
+        const std::vector<std::uint32_t> node = nodes.assign_held(other.nodes);
+        const auto rename = [](std::span<std::uint32_t> ids, std::span<const std::uint32_t> now) {
+            for (std::uint32_t& id : ids) id = now[id];
+        };
+        for (LandmarkRow& row : rows) {
+            rename(std::span(row.leaves).first(row.own_leaves()), leaf);
+            if (row.index != LandmarkIndex::kNone) row.index = node[row.index];
+        }
+        for (std::vector<std::uint32_t>& ids : behind) rename(ids, page);
+        for (std::uint32_t id = 0; id < pages.size(); ++id)
+            rename(std::span(pages[id].leaves).first(pages[id].count), leaf);
+        for (std::uint32_t id = 0; id < nodes.size(); ++id) {
+            if (nodes[id].level == 0) continue;  // its entries are landmarks
+            for (std::size_t i = 0; i < nodes[id].count; ++i)
+                nodes[id].entries[i].id = node[nodes[id].entries[i].id];
+        }
+    }
 };
 
 /// A row with the pages behind its own leaves.
@@ -147,8 +173,7 @@ class LeafList {
 
     /// Holds what the row is made of once more, for another that is the same.
     void share() {
-        const std::size_t own = std::min(row_->leaf_count(), LandmarkRow::kOwn);
-        for (std::size_t i = 0; i < own; ++i)
+        for (std::size_t i = 0; i < row_->own_leaves(); ++i)
             pools_->leaves.share(row_->leaves[i], caches_->leaves);
         for (const std::uint32_t page : *pages_) pools_->pages.share(page, caches_->pages);
         if (row_->index != LandmarkIndex::kNone) pools_->nodes.share(row_->index, caches_->nodes);

@@ -23,6 +23,19 @@ struct LandmarkTable {
     std::vector<LandmarkRow> next_rows;
     std::vector<typename List::Pages> next_pages;
 
+    LandmarkTable() = default;
+    LandmarkTable(const LandmarkTable& other) : rows(other.rows), pages(other.pages) {
+        pools.assign_held(other.pools, rows, pages);
+    }
+    LandmarkTable& operator=(const LandmarkTable& other) {
+        if (this == &other) return *this;
+        rows = other.rows;
+        pages = other.pages;
+        pools.assign_held(other.pools, rows, pages);
+        return *this;
+    }
+    ~LandmarkTable() = default;
+
     List list(std::size_t map, Caches& caches) { return {pools, rows[map], pages[map], caches}; }
 };
 
@@ -52,6 +65,16 @@ class MapStore {
         if (extents) return;
         for_each_kind([&]<class S>() { table<S>().pools.columns = S::Lane::kSize; });
     }
+
+    /// A copy has what maps hold, and nothing in stock.
+    MapStore(const MapStore& other) : tables_(other.tables_) {}
+    MapStore& operator=(const MapStore& other) {
+        if (this == &other) return *this;
+        tables_ = other.tables_;
+        own_ = {};
+        return *this;
+    }
+    ~MapStore() = default;
 
     /// A new, empty map.
     Handle create() {

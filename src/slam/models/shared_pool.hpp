@@ -32,25 +32,28 @@ class SharedPool {
     using Id = std::uint32_t;
 
     SharedPool() = default;
-    SharedPool(const SharedPool& other) : free_(other.free_), next_(other.next_) {
-        std::size_t left = next_;
-        for (std::size_t i = 0; left > 0; ++i) {
-            const std::size_t used = std::min(left, size_of(i));
-            const Chunk& from = other.chunks_.at(i);
-            add_chunk(i);
-            std::copy_n(from.pieces.get(), used, chunks_.at(i).pieces.get());
-            chunks_.at(i).holds = from.holds;
-            left -= used;
-        }
-    }
-    SharedPool& operator=(const SharedPool& other) {
-        SharedPool copy(other);
-        chunks_.swap(copy.chunks_);
-        free_.swap(copy.free_);
-        next_ = copy.next_;
-        return *this;
-    }
+    SharedPool(const SharedPool&) = delete;
+    SharedPool& operator=(const SharedPool&) = delete;
     ~SharedPool() = default;
+
+    /// Becomes what the other has of pieces that somebody holds, side by side: most of a pool that
+    /// has been at work for long nobody does. Returns by their former numbers those they have now.
+    std::vector<Id> assign_held(const SharedPool& other) {
+        std::vector<Id> numbers(other.next_, 0);
+        SharedPool held;
+        for (Id id = 0; id < other.next_; ++id) {
+            const Place from(id);
+            const Chunk& chunk = other.chunks_[from.chunk];
+            if (chunk.holds[from.offset] == 0) continue;
+            numbers[id] = held.fresh();
+            held[numbers[id]] = chunk.pieces[from.offset];
+            held.holds(numbers[id]) = chunk.holds[from.offset];
+        }
+        chunks_.swap(held.chunks_);
+        free_.clear();
+        next_ = held.next_;
+        return numbers;
+    }
 
     T& operator[](Id id) {
         const Place place(id);
@@ -108,11 +111,8 @@ class SharedPool {
         }
     }
 
-    std::size_t bytes() const {
-        std::size_t pieces = 0;
-        for (std::size_t i = 0; i < kChunks && chunks_.at(i).pieces; ++i) pieces += size_of(i);
-        return pieces * kBytes;
-    }
+    /// What was never used has no memory yet.
+    std::size_t bytes() const { return next_ * kBytes; }
     /// Pieces in use, and those that are ready to be.
     std::size_t size() const { return next_; }
     /// For checks: how many hold it, and pieces that nobody holds and no worker has.
@@ -160,9 +160,12 @@ class SharedPool {
                 free_.pop_back();
                 continue;
             }
-            if (const Place place(next_); place.offset == 0) add_chunk(place.chunk);
-            cache.free.push_back(static_cast<Id>(next_++));
+            cache.free.push_back(fresh());
         }
+    }
+    Id fresh() {
+        if (const Place place(next_); place.offset == 0) add_chunk(place.chunk);
+        return static_cast<Id>(next_++);
     }
     void give_back(PoolCache& cache) {
         const std::lock_guard lock(mutex_);

@@ -107,6 +107,18 @@ class PlainCopies {
         }
     }
     const MapStore& store() const { return store_; }
+    void become_a_copy() {
+        const MapStore copy = store_;
+        store_ = copy;
+        worker_ = {};
+        store_.check({&worker_});
+    }
+    void make_all_one() {
+        while (plain_[0].empty()) change(1);
+        for (std::size_t map = 1; map < kMaps; ++map) store_.copy(0, map);
+        plain_.assign(kMaps, plain_[0]);
+    }
+    std::size_t leaves_of_one() const { return (plain_[0].size() + 7) / 8; }
     static constexpr std::size_t kMaps = 20;
 
   private:
@@ -161,9 +173,25 @@ TEST(MapStore, EqualsPlainCopies) {
         const std::size_t leaves = PlainCopies::kMaps * (most / 8 + 1);
         EXPECT_LE(copies.store().leaves(), leaves + 64 + 32);
         for (int round = 0; round < 20000; ++round) copies.change(round);
-        const MapStore copy = copies.store();
         copies.expect_equal();
-        EXPECT_EQ(copy.leaves(), copies.store().leaves());
+    }
+}
+
+/// What is in stock, here most of the leaves, stays behind; and a copy can be gone on with.
+TEST(MapStore, ACopyHasWhatMapsHoldAlone) {
+    for (const std::size_t most : {60U, 300U}) {
+        PlainCopies copies(most);
+        for (int round = 0; round < 20000; ++round) copies.change(round);
+        copies.make_all_one();
+        const std::size_t before = copies.store().leaves();
+        copies.become_a_copy();
+        copies.expect_equal();
+        EXPECT_EQ(copies.store().leaves(), copies.leaves_of_one());
+        EXPECT_LT(4 * copies.store().leaves(), before);
+        for (int round = 0; round < 20000; ++round) copies.change(round);
+        copies.expect_equal();
+        copies.become_a_copy();
+        copies.expect_equal();
     }
 }
 

@@ -105,6 +105,19 @@ TEST(PoseHistory, EqualsPlainCopiesUnderRandomResampling) {
     for (std::size_t i = 0; i < kParticles; ++i) EXPECT_EQ(history.path(leaves[i]), plain[i]);
     // Memory: the common trunk plus a young crown, far below particles x steps.
     EXPECT_LT(history.size(), 300U + kParticles * 100U);
+    // A copy has no more than that, and the same ways.
+    PoseHistory held;
+    std::vector<PoseHistory::Node> theirs = leaves;
+    std::vector<PoseHistory::Node*> named;
+    named.reserve(kParticles);
+    for (PoseHistory::Node& leaf : theirs) named.push_back(&leaf);
+    held.assign_held(history, named);
+    held.check(theirs, 300);
+    EXPECT_EQ(held.size(), history.size());
+    EXPECT_LT(held.bytes(), history.bytes());
+    for (std::size_t i = 0; i < kParticles; ++i) EXPECT_EQ(held.path(theirs[i]), plain[i]);
+    held.release(theirs);
+    EXPECT_EQ(held.size(), 0U);
     history.release(leaves);
     EXPECT_EQ(history.size(), 0U);
 }

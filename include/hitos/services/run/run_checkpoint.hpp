@@ -44,7 +44,7 @@ void check_same(const std::vector<StatePart>& expected, const std::vector<StateP
 /// together stay within a limit of memory and of number.
 class RunCheckpoints {
   public:
-    static constexpr std::size_t kMostBytes = std::size_t{160} << 20;
+    static constexpr std::size_t kMostBytes = std::size_t{180} << 20;
     static constexpr std::size_t kMost = 80;
 
     explicit RunCheckpoints(std::size_t most_bytes = kMostBytes) : most_bytes_(most_bytes) {}
@@ -69,7 +69,7 @@ class RunCheckpoints {
         std::shared_ptr<const RunCheckpoint> checkpoint;
         std::size_t bytes;
     };
-    static constexpr std::uint64_t kFirstSpacing = 8;
+    static constexpr std::uint64_t kFirstSpacing = 16;
 
     std::size_t most_bytes_;
     std::uint64_t spacing_ = kFirstSpacing;
