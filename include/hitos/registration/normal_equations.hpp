@@ -3,8 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -13,11 +11,18 @@
 
 namespace hitos {
 
+class BlockFactor;
+
 /// H x = -b with H = sum J' W J and b = sum J' W e over all errors e. Variables are added once;
 /// errors anew at every iteration, in the same order: the pattern of H is analysed once, and by
 /// blocks, of which it has several times fewer than numbers.
 class NormalEquations {
   public:
+    NormalEquations();
+    NormalEquations(NormalEquations&&) noexcept;
+    NormalEquations& operator=(NormalEquations&&) noexcept;
+    ~NormalEquations();
+
     /// Adds a variable of `size` numbers; returns its place.
     std::size_t add_variable(int size);
     std::size_t variables() const { return variables_.size(); }
@@ -53,7 +58,7 @@ class NormalEquations {
     bool solve();
     /// Solves for the sums of this iteration with H as it was at the last solve(), which costs a
     /// small part of it: where H hardly changes, steps become ever shorter all the same. False
-    /// where there was none.
+    /// where there was none since begin().
     bool solve_again();
     /// The step of a variable after solve().
     auto step(std::size_t variable) const {
@@ -70,16 +75,11 @@ class NormalEquations {
                                std::size_t second, const Eigen::MatrixXd& j_second) const;
 
   private:
-    using Matrix = Eigen::SparseMatrix<double>;
-    // The rows and columns of H stand in the order of elimination already.
-    using Cholesky = Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>>;
-
-    /// A block of H, in its lower half: the place of its first entry among H's values. Columns of a
-    /// variable have the same rows below the diagonal; each is one entry shorter than the last.
+    /// A block of H, in its lower half: numbers column by column.
     struct Place {
-        Eigen::Index first = 0;
-        Eigen::Index length = 0;  // of the first column
-        bool across = false;      // the block lies there transposed
+        double* first = nullptr;
+        Eigen::Index stride = 0;
+        bool across = false;  // the block lies there transposed
     };
     /// A variable: where it is in b as it was added, and in H as it is eliminated.
     struct Variable {
@@ -87,7 +87,6 @@ class NormalEquations {
         Eigen::Index added;
         Eigen::Index rank;  // of order_
         Eigen::Index at;
-        Place diagonal;
     };
     /// What the first iteration adds, before anything is laid out.
     struct Noted {
@@ -106,7 +105,7 @@ class NormalEquations {
     template <class Block>
     void add_block(std::size_t row, std::size_t column, const Block& block) {
         if (gradient_only_) return;
-        if (!laid_out_) {
+        if (!factor_) {
             noted_.push_back({row, column, noted_values_.size()});
             for (Eigen::Index j = 0; j < block.cols(); ++j) {
                 for (Eigen::Index i = 0; i < block.rows(); ++i) {
@@ -115,18 +114,16 @@ class NormalEquations {
             }
             return;
         }
-        put(places_[next_place_++], row == column, block);
+        put(places_[next_place_++], block);
     }
     template <class Block>
-    void put(const Place& place, bool diagonal, const Block& block) {
+    static void put(const Place& place, const Block& block) {
         const Eigen::Index columns = place.across ? block.rows() : block.cols();
         const Eigen::Index rows = place.across ? block.cols() : block.rows();
         for (Eigen::Index j = 0; j < columns; ++j) {
-            double* const column =
-                h_.valuePtr() + place.first + j * (place.length - 1) - j * (j - 1) / 2;
-            for (Eigen::Index i = diagonal ? j : 0; i < rows; ++i) {
+            double* const column = place.first + j * place.stride;
+            for (Eigen::Index i = 0; i < rows; ++i)
                 column[i] += place.across ? block(j, i) : block(i, j);
-            }
         }
     }
     template <class Block>
@@ -142,14 +139,14 @@ class NormalEquations {
     Eigen::Index size_ = 0;
     Eigen::VectorXd gradient_;
     Eigen::VectorXd step_;
-    // The first iteration notes blocks, the next ones add straight into H.
+    // The first iteration notes blocks, the next ones add straight into H, of which its factor
+    // takes the place.
     std::vector<Noted> noted_;
     std::vector<double> noted_values_;
     std::vector<Place> places_;  // of the n-th block of an iteration
     std::size_t next_place_ = 0;
-    Matrix h_;
-    std::unique_ptr<Cholesky> cholesky_;
-    bool laid_out_ = false;
+    std::unique_ptr<BlockFactor> factor_;
+    bool factored_ = false;
     bool gradient_only_ = false;
 };
 

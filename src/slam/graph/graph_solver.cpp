@@ -21,8 +21,13 @@ void GraphSolver::lay_out(const LandmarkGraph& graph) {
     for (std::size_t i = 0; i < landmarks_; ++i) equations_.add_variable(2);
 }
 
-void GraphSolver::sum(const LandmarkGraph& graph) {
-    equations_.begin();
+/// `gradient_only`: where the matrix stays.
+void GraphSolver::sum(const LandmarkGraph& graph, bool gradient_only) {
+    if (gradient_only) {
+        equations_.begin_gradient();
+    } else {
+        equations_.begin();
+    }
     objective_ = 0.0;
     for (std::size_t i = 1; i < keys_; ++i) equations_.hold(variable_of_key(i), kUntiedInformation);
     for (const PoseEdge& edge : graph.edges()) add(edge, graph);
@@ -70,7 +75,9 @@ bool GraphSolver::solve(LandmarkGraph& graph, double still_m) {
     double objective = 0.0;
     LandmarkGraph::Places places;
     for (int iteration = 0; iteration < kMostSteps; ++iteration) {
-        sum(graph);
+        // Factorising takes most of the time; while steps shrink without it they lead to the same.
+        const bool shrinks = iteration > 1 ? greatest < kShrinks * before : iteration == 1;
+        sum(graph, shrinks);
         if (iteration > 0 && objective_ > objective) {
             // Where sightings and edges contradict each other they all have next to no weight left,
             // and steps no limit.
@@ -80,8 +87,6 @@ bool GraphSolver::solve(LandmarkGraph& graph, double still_m) {
         }
         objective = objective_;
         places = graph.places();
-        // Factorising takes most of the time; while steps shrink without it they lead to the same.
-        const bool shrinks = iteration > 1 ? greatest < kShrinks * before : iteration == 1;
         if (!(shrinks ? equations_.solve_again() : equations_.solve())) return false;
         before = greatest;
         greatest = 0.0;

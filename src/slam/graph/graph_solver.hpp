@@ -29,7 +29,7 @@ class GraphSolver {
 
   private:
     void lay_out(const LandmarkGraph& graph);
-    void sum(const LandmarkGraph& graph);
+    void sum(const LandmarkGraph& graph, bool gradient_only = false);
     void add(const PoseEdge& edge, const LandmarkGraph& graph);
     void add(const Sighting& sighting, const LandmarkGraph& graph);
     /// The first key is no variable.
