@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "point_map.hpp"
 
+#if defined(__x86_64__)
+#include <emmintrin.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,6 +27,7 @@ void PointMap::begin(const Point2& centre, double half_m) {
     centre_ = centre;
     half_m_ = half_m;
     added_.clear();
+    bounds_ = {};
 }
 
 void PointMap::add(std::span<const SurfacePoint> points, const Pose& pose, std::uint32_t source) {
@@ -45,46 +50,74 @@ void PointMap::add(std::span<const SurfacePoint> points, const Pose& pose, std::
         placed.ny = static_cast<float>(s * nx + c * ny);
         placed.source = source;
         added_.push_back(placed);
+        bounds_.hold({static_cast<double>(placed.x), static_cast<double>(placed.y)});
     }
 }
 
 void PointMap::build() {
-    Bounds bounds;
-    for (const MapPoint& p : added_) {
-        bounds.hold({static_cast<double>(p.x), static_cast<double>(p.y)});
-    }
-    x0_ = bounds.low.x;
-    y0_ = bounds.low.y;
-    columns_ = static_cast<int>((bounds.high.x - bounds.low.x) * kPerM) + 1;
-    rows_ = static_cast<int>((bounds.high.y - bounds.low.y) * kPerM) + 1;
+    x0_ = bounds_.low.x;
+    y0_ = bounds_.low.y;
+    columns_ = static_cast<int>((bounds_.high.x - bounds_.low.x) * kPerM) + 1;
+    rows_ = static_cast<int>((bounds_.high.y - bounds_.low.y) * kPerM) + 1;
     const auto buckets = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
     starts_.assign(buckets + 2, 0);
     places_.resize(added_.size());
     for (std::size_t i = 0; i < added_.size(); ++i) {
-        const int column = bucket(static_cast<double>(added_[i].x) - x0_, columns_);
-        const int row = bucket(static_cast<double>(added_[i].y) - y0_, rows_);
+        const auto column = static_cast<int>((static_cast<double>(added_[i].x) - x0_) * kPerM);
+        const auto row = static_cast<int>((static_cast<double>(added_[i].y) - y0_) * kPerM);
         places_[i] = static_cast<std::uint32_t>(row * columns_ + column);
         ++starts_[places_[i] + 2];
     }
     // One place further than needed: filling moves each start on to where it belongs.
     for (std::size_t b = 2; b < starts_.size(); ++b) starts_[b] += starts_[b - 1];
     points_.resize(added_.size());
-    for (std::size_t i = 0; i < added_.size(); ++i) points_[starts_[places_[i] + 1]++] = added_[i];
+    xs_.resize(added_.size());
+    ys_.resize(added_.size());
+    for (std::size_t i = 0; i < added_.size(); ++i) {
+        const std::uint32_t at = starts_[places_[i] + 1]++;
+        points_[at] = added_[i];
+        xs_[at] = added_[i].x;
+        ys_[at] = added_[i].y;
+    }
 }
 
 void PointMap::search_row(int row, int first_column, int last_column, float x, float y,
                           Nearest& best) const {
     const auto line = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
     // The buckets of a row lie one after the other.
-    const MapPoint* p = points_.data() + starts_[line + static_cast<std::size_t>(first_column)];
-    const MapPoint* const end =
-        points_.data() + starts_[line + static_cast<std::size_t>(last_column) + 1];
-    for (; p != end; ++p) {
-        const float dx = p->x - x;
-        const float dy = p->y - y;
-        const float d2 = dx * dx + dy * dy;
-        if (d2 < best.d2) best = {d2, p};
-    }
+    const std::size_t begin = starts_[line + static_cast<std::size_t>(first_column)];
+    const std::size_t end = starts_[line + static_cast<std::size_t>(last_column) + 1];
+    const auto distance2 = [&](std::size_t i) {
+        const float dx = xs_[i] - x;
+        const float dy = ys_[i] - y;
+        return dx * dx + dy * dy;
+    };
+    // The least first, four by four, then whose it is.
+    float least = best.d2;
+    std::size_t i = begin;
+#if defined(__x86_64__)
+    const __m128 x4 = _mm_set1_ps(x);
+    const __m128 y4 = _mm_set1_ps(y);
+    const auto four = [&](std::size_t first) {
+        const __m128 dx = _mm_sub_ps(_mm_loadu_ps(xs_.data() + first), x4);
+        const __m128 dy = _mm_sub_ps(_mm_loadu_ps(ys_.data() + first), y4);
+        return _mm_add_ps(_mm_mul_ps(dx, dx), _mm_mul_ps(dy, dy));
+    };
+    __m128 least4 = _mm_set1_ps(least);
+    for (; i + 4 <= end; i += 4) least4 = _mm_min_ps(least4, four(i));
+    least4 = _mm_min_ps(least4, _mm_movehl_ps(least4, least4));
+    least4 = _mm_min_ss(least4, _mm_shuffle_ps(least4, least4, 1));
+    least = _mm_cvtss_f32(least4);
+#endif
+    for (; i < end; ++i) least = std::min(least, distance2(i));
+    if (!(least < best.d2)) return;
+    i = begin;
+#if defined(__x86_64__)
+    const __m128 sought = _mm_set1_ps(least);
+    while (i + 4 <= end && _mm_movemask_ps(_mm_cmpeq_ps(four(i), sought)) == 0) i += 4;
+#endif
+    while (distance2(i) != least) ++i;
+    best = {least, points_.data() + i};
 }
 
 const MapPoint* PointMap::nearest(double x, double y, double radius_m, double* distance2_m2) const {

@@ -48,7 +48,9 @@ class PointMap {
     Point2 centre_;
     double half_m_ = 0.0;
     std::vector<MapPoint> added_;
+    Bounds bounds_;  // of these
     std::vector<MapPoint> points_;
+    std::vector<float> xs_, ys_;         // theirs once more, to look through
     std::vector<std::uint32_t> starts_;  // of each bucket in points_
     std::vector<std::uint32_t> places_;  // scratch: the bucket of each point
     double x0_ = 0.0;                    // corner of the first bucket
