@@ -168,4 +168,20 @@ std::vector<std::uint64_t> GraphEditor::unmet() const {
     return unmet;
 }
 
+std::optional<ChangesByHand> GraphEditor::counts() const {
+    if (edits_.empty()) return std::nullopt;
+    ChangesByHand counts;
+    for (std::size_t i = 0; i < edits_.size(); ++i) {
+        using Kind = GraphEdit::Kind;
+        const Kind kind = edits_[i].kind;
+        ++(!met_[i]               ? counts.met_nothing
+           : kind == Kind::close  ? counts.closed
+           : kind == Kind::refuse ? counts.refused
+           : kind == Kind::fix    ? counts.fixed
+           : kind == Kind::slip   ? counts.slips
+                                  : counts.anchors);
+    }
+    return counts;
+}
+
 }  // namespace hitos

@@ -10,6 +10,7 @@
 
 #include "hitos/capture/scan.hpp"
 #include "hitos/registration/graph_edit.hpp"
+#include "hitos/registration/registration.hpp"
 #include "key_graph.hpp"
 #include "loop_closer.hpp"
 
@@ -42,6 +43,7 @@ class GraphEditor {
     /// found after it and says the same of where the robot is, is refused with it.
     std::optional<std::uint64_t> refuses(const KeyGraph& graph, const LoopFound& loop);
     std::vector<std::uint64_t> unmet() const;
+    std::optional<ChangesByHand> counts() const;
 
   private:
     /// Of a refused stretch the last place: the way driven to it, and how it would have moved the

@@ -342,9 +342,7 @@ RegistrationFigures Registration::Impl::figures() const {
     figures.edits_unmet = editor_.unmet();
     figures.drawing = laid_drawing(graph_.poses, graph_.edges);
     figures.anchors = anchor_figures();
-    const std::span<const GraphEdit> edits = editor_.edits();
-    for (std::size_t i = 0; i < edits.size(); ++i)
-        if (std::ranges::count(figures.edits_unmet, i) == 0) figures.edits_met.push_back(edits[i]);
+    figures.by_hand = editor_.counts();
     const auto strained =
         std::ranges::find_if(fixes_, [](const NotedChange& fix) { return fix.bent > fix.limit; });
     if (strained != fixes_.end()) figures.strained_fix = number_of(strained->edit) - 1;

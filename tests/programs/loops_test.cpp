@@ -83,12 +83,16 @@ TEST_F(LoopsTest, EveryPlaceIsARowAndJudgedByTheReference) {
 TEST_F(LoopsTest, ChangesByHandAreDoneAgainToTheSameBytes) {
     ASSERT_EQ(run("plain").status, 0);
     EXPECT_FALSE(std::filesystem::exists(folder_ / "plain/edits.toml"));
+    EXPECT_FALSE(quality_of("plain").contains("by_hand"));
     const json first = quality_of("plain")["loops"][0];
     const std::string scans = first["scan"].dump() + " " + first["earlier"].dump();
     const test::Outcome changed =
-        run("changed", "--set 'registration.edits=refuse " + scans + "; slip 100'");
+        run("changed", "--set 'registration.edits=refuse " + scans + "; slip 100; slip 101'");
     ASSERT_EQ(changed.status, 0) << changed.output;
+    EXPECT_THAT(changed.output, HasSubstr("by hand 1 loop refused, 2 slips"));
     const json quality = quality_of("changed");
+    EXPECT_EQ(quality["by_hand"], json::parse(R"({"closed": 0, "refused": 1, "fixed": 0, "slips": 2,
+                                                 "anchors": 0, "met_nothing": 0})"));
     const auto& refused = quality["refused_loops"];
     EXPECT_TRUE(std::ranges::any_of(refused, [&](const json& loop) {
         return loop["verdict"] == "by-hand" && loop["scan"] == first["scan"];
@@ -134,6 +138,7 @@ TEST_F(LoopsTest, ARunIsAnchoredToADrawing) {
     EXPECT_NEAR(drawing["y"].get<double>(), 50.0, 0.3);
     EXPECT_NEAR(std::cos(drawing["theta"].get<double>()), -1.0, 1e-3);
     ASSERT_EQ(drawing["anchors"].size(), 3U);
+    EXPECT_EQ(quality_of("first")["by_hand"]["anchors"], 3);
     EXPECT_EQ(drawing["anchors"][2]["scan"], 300);
     EXPECT_GT(distance(at_scan_300("first"), before), 0.05);
     EXPECT_THAT(content("first/edits.toml"), HasSubstr("point 300@"));
@@ -231,6 +236,7 @@ TEST_F(LoopsTest, ChangesThatDoNotFitAreRefusedWithTheReason) {
     const test::Outcome told = run("unmet", "--set 'registration.edits=refuse 200 3'");
     EXPECT_EQ(told.status, 0);
     EXPECT_THAT(told.output, HasSubstr("Changes by hand have met nothing to change (no. 1"));
+    EXPECT_EQ(quality_of("unmet")["by_hand"]["met_nothing"], 1);
 }
 
 }  // namespace

@@ -45,6 +45,8 @@ class Runs(unittest.TestCase):
         changed = run(**{"registration.edits": edits})
         self.assertIn(("by-hand", first["scan"]),
                       [(loop["verdict"], loop["scan"]) for loop in changed.loops])
+        self.assertEqual(changed.summary["quality"]["by_hand"]["refused"], 1)
+        self.assertNotIn("by_hand", result.summary["quality"])
         self.assertFalse(np.array_equal(changed.trajectory, result.trajectory))
         equal(changed.trajectory, run(**{"registration.edits": edits}).trajectory)
         self.assertEqual(hitos.run("corridor", FEW).loops, [])

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -45,22 +44,17 @@ namespace {
 /// "  by hand 1 loop closed, 2 loops refused, 1 place fixed"; nothing where nobody changed
 /// anything.
 void tell_by_hand(const RegistrationFigures& figures, const Report& report) {
-    std::uint64_t anchors = 0;
-    std::map<GraphEdit::Kind, std::uint64_t> counts;
-    for (const GraphEdit& edit : figures.edits_met) {
-        if (edit.anchors()) ++anchors;
-        ++counts[edit.kind];
-    }
-    using Kind = GraphEdit::Kind;
+    if (!figures.by_hand) return;
+    const ChangesByHand& counts = *figures.by_hand;
     std::vector<std::string> words;
     const auto say = [&](std::uint64_t count, const char* one, const char* what) {
         if (count > 0) words.push_back(plural(count, one) + what);
     };
-    say(counts[Kind::close], "loop", " closed");
-    say(counts[Kind::refuse], "loop", " refused");
-    say(counts[Kind::fix], "place", " fixed");
-    say(counts[Kind::slip], "slip", "");
-    say(anchors, "anchor", "");
+    say(counts.closed, "loop", " closed");
+    say(counts.refused, "loop", " refused");
+    say(counts.fixed, "place", " fixed");
+    say(counts.slips, "slip", "");
+    say(counts.anchors, "anchor", "");
     if (!words.empty()) report.say("  by hand {}\n", fmt::join(words, ", "));
 }
 

@@ -43,6 +43,16 @@ struct AnchorFigures {
     double chi_square_limit = 0.0;
 };
 
+/// How many changes by hand of each kind have met what they change, and how many nothing.
+struct ChangesByHand {
+    std::uint64_t closed = 0;
+    std::uint64_t refused = 0;
+    std::uint64_t fixed = 0;
+    std::uint64_t slips = 0;
+    std::uint64_t anchors = 0;
+    std::uint64_t met_nothing = 0;
+};
+
 /// What a run may be trusted for, without any truth.
 struct RegistrationFigures {
     std::uint64_t scans = 0;      ///< that were matched or could not be: those after a motion
@@ -58,7 +68,7 @@ struct RegistrationFigures {
     /// Of the changes by hand, by their places, those that have met nothing to change: refused
     /// loops that nobody has found, scans that have not come.
     std::vector<std::uint64_t> edits_unmet;
-    std::vector<GraphEdit> edits_met = {};  ///< the other ones
+    std::optional<ChangesByHand> by_hand = {};  ///< where there are any
     /// The first of those places that bends the graph more than its edges explain, as edits_unmet;
     /// others may pull against a wrong one.
     std::optional<std::uint64_t> strained_fix = {};

@@ -60,6 +60,12 @@ ordered_json json_of(const MeasuredDistance& measured) {
     return json;
 }
 
+ordered_json json_of(const ChangesByHand& counts) {
+    return {{"closed", counts.closed},   {"refused", counts.refused},
+            {"fixed", counts.fixed},     {"slips", counts.slips},
+            {"anchors", counts.anchors}, {"met_nothing", counts.met_nothing}};
+}
+
 /// The drawing that the map is anchored to, in the map's frame, and what each anchor came to.
 ordered_json json_of_drawing(const RegistrationFigures& figures) {
     ordered_json json{{"firm", figures.drawing->firm},
@@ -107,6 +113,7 @@ ordered_json json_of(const RunQuality& quality) {
         json["loop_searches"] = figures->loop_searches;
         json["loops_refused"] = figures->loops_refused;
         json["largest_correction_m"] = figures->largest_correction_m;
+        if (figures->by_hand) json["by_hand"] = json_of(*figures->by_hand);
         if (figures->drawing) json["drawing"] = json_of_drawing(*figures);
         if (const LoopPrecision precision = precision_of(quality.loops); precision.judged > 0) {
             json["loops_judged"] = precision.judged;
