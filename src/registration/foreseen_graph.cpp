@@ -15,31 +15,25 @@
 namespace hitos {
 namespace {
 
-/// Two passages that have been joined: where the robot was on each, by the way driven until then.
-struct Joint {
-    double later_m;
-    double earlier_m;
-};
-
 /// The edges of loops that hang together with one place where two passages were joined.
 class Stretch {
   public:
     Stretch(const KeyGraph& graph, const GraphEdit& edit)
         : graph_(graph), of_it_(graph.edges.size()) {
-        const Joint seed = joint_of(graph.key_at(edit.scan.scan), graph.key_at(edit.earlier.scan));
+        const Joint seed = graph.joint_at(edit.scan.scan, edit.earlier.scan);
         joints_.push_back(seed);
         // A scan is matched with older ones of its own passage as well.
-        const bool short_way = seed.later_m - seed.earlier_m <= kAlong;
+        const bool short_way = seed.later_m - seed.earlier_m <= Joint::kAlong;
         std::vector<std::size_t> loops;
         for (std::size_t i = 0; i < graph.edges.size(); ++i) {
             const PoseEdge& edge = graph.edges[i];
             const Joint joint = joint_of(edge.to, edge.from);
-            const bool own = !short_way && joint.later_m - joint.earlier_m <= kAlong;
+            const bool own = !short_way && joint.later_m - joint.earlier_m <= Joint::kAlong;
             if (edge.kind == EdgeKind::loop && !own) loops.push_back(i);
         }
         std::ranges::stable_sort(loops, {}, [&](std::size_t i) { return graph.edges[i].to; });
         const auto middle = std::ranges::partition_point(loops, [&](std::size_t i) {
-            return way_m(graph.edges[i].to) < seed.later_m - kBeside;
+            return way_m(graph.edges[i].to) < seed.later_m - Joint::kBeside;
         });
         follow(seed, std::span(middle, loops.end()));
         std::reverse(loops.begin(), middle);
@@ -48,26 +42,18 @@ class Stretch {
 
     bool has_edge(std::size_t edge) const { return of_it_[edge]; }
     bool has(const LoopRecord& loop) const {
-        return near(joints_, joint_of(graph_.key_at(loop.scan), graph_.key_at(loop.earlier)));
+        return near(joints_, graph_.joint_at(loop.scan, loop.earlier));
     }
 
   private:
-    static constexpr double kAlong = 12.0;  // [m] of way without a joint
-    static constexpr double kBeside = 5.0;  // [m] of way, as wide as what is searched for
-
     double way_m(std::size_t key) const { return graph_.scans[key].travelled_m; }
     Joint joint_of(std::size_t later, std::size_t earlier) const {
         return {way_m(later), way_m(earlier)};
     }
 
-    /// As the robot goes on along both passages, the same way round or the other.
     template <class Joints>
     static bool near(const Joints& joints, const Joint& joint) {
-        return std::ranges::any_of(joints, [&](const Joint& one) {
-            const double later = std::abs(joint.later_m - one.later_m);
-            const double earlier = std::abs(joint.earlier_m - one.earlier_m);
-            return later <= kAlong && std::abs(earlier - later) <= kBeside;
-        });
+        return std::ranges::any_of(joints, [&](const Joint& one) { return one.is_near(joint); });
     }
 
     void follow(const Joint& seed, std::span<const std::size_t> loops) {
@@ -75,7 +61,8 @@ class Stretch {
         for (const std::size_t i : loops) {
             const PoseEdge& edge = graph_.edges[i];
             const Joint joint = joint_of(edge.to, edge.from);
-            while (!recent.empty() && std::abs(recent.front().later_m - joint.later_m) > kAlong) {
+            while (!recent.empty() &&
+                   std::abs(recent.front().later_m - joint.later_m) > Joint::kAlong) {
                 recent.pop_front();
             }
             if (recent.empty()) return;

@@ -18,7 +18,19 @@ bool makes_key(const GraphEdit& edit, std::uint64_t scan) {
            (edit.scan.scan == scan || (edit.of_two() && edit.earlier.scan == scan));
 }
 
-constexpr double kBeside = 5.0;  // [m] of way, as wide as what is searched for
+/// Whether the stretch that was refused from a scan on passes the place that an edit names.
+bool passes(std::uint64_t from, const GraphEdit& edit, const KeyGraph& graph,
+            std::span<const LoopRecord> refused) {
+    const Joint named = graph.joint_at(edit.scan.scan, edit.earlier.scan);
+    std::optional<Joint> nearest;
+    const auto away_m = [&](const Joint& joint) { return std::abs(joint.later_m - named.later_m); };
+    for (const LoopRecord& loop : refused) {
+        if (loop.refused_from != from) continue;
+        const Joint joint = graph.joint_at(loop.scan, loop.earlier);
+        if (!nearest || away_m(joint) < away_m(*nearest)) nearest = joint;
+    }
+    return nearest && nearest->is_near(named);
+}
 
 }  // namespace
 
@@ -130,8 +142,8 @@ std::vector<GraphEdit> GraphEditor::of_newest(const KeyGraph& graph, bool placed
 bool GraphEditor::names(const GraphEdit& edit, const KeyGraph& graph, const LoopFound& loop) {
     if (edit.kind != GraphEdit::Kind::refuse || loop.record.scan < edit.scan.scan) return false;
     const auto way_m = [&](std::size_t key) { return graph.scans[key].travelled_m; };
-    return way_m(graph.size() - 1) - way_m(graph.key_at(edit.scan.scan)) <= kBeside &&
-           std::abs(way_m(loop.key) - way_m(graph.key_at(edit.earlier.scan))) <= kBeside;
+    return way_m(graph.size() - 1) - way_m(graph.key_at(edit.scan.scan)) <= Joint::kBeside &&
+           std::abs(way_m(loop.key) - way_m(graph.key_at(edit.earlier.scan))) <= Joint::kBeside;
 }
 
 std::optional<std::uint64_t> GraphEditor::refuses(const KeyGraph& graph, const LoopFound& loop) {
@@ -166,6 +178,25 @@ std::vector<std::uint64_t> GraphEditor::unmet() const {
         if (!met_[i]) unmet.push_back(i);
     }
     return unmet;
+}
+
+std::vector<CoveredRefusal> GraphEditor::covered(const KeyGraph& graph,
+                                                 std::span<const LoopRecord> refused,
+                                                 std::uint64_t scans) const {
+    std::vector<CoveredRefusal> covered;
+    const auto is_refusal = [&](std::size_t place) {
+        return edits_[place].kind == GraphEdit::Kind::refuse;
+    };
+    for (const std::uint64_t place : unmet()) {
+        if (!is_refusal(place) || edits_[place].scan.scan >= scans) continue;
+        for (std::size_t by = 0; by < edits_.size(); ++by) {
+            if (!met_[by] || !is_refusal(by)) continue;
+            if (!passes(edits_[by].scan.scan, edits_[place], graph, refused)) continue;
+            covered.push_back({place, by});
+            break;
+        }
+    }
+    return covered;
 }
 
 std::optional<ChangesByHand> GraphEditor::counts() const {

@@ -43,6 +43,9 @@ class GraphEditor {
     /// found after it and says the same of where the robot is, is refused with it.
     std::optional<std::uint64_t> refuses(const KeyGraph& graph, const LoopFound& loop);
     std::vector<std::uint64_t> unmet() const;
+    /// By the loops that were refused in that graph, of so many scans.
+    std::vector<CoveredRefusal> covered(const KeyGraph& graph, std::span<const LoopRecord> refused,
+                                        std::uint64_t scans) const;
     std::optional<ChangesByHand> counts() const;
 
   private:

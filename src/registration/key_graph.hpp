@@ -40,6 +40,22 @@ struct GraphReach {
     double variance_rad2 = kNever;
 };
 
+/// Where two passages are at one place: the way driven until each.
+struct Joint {
+    static constexpr double kAlong = 12.0;  // [m] of way without a joint
+    static constexpr double kBeside = 5.0;  // [m] of way, as wide as what is searched for
+    double later_m;
+    double earlier_m;
+
+    /// Whether the robot comes from one to the other along both passages, the same way round or
+    /// the other.
+    bool is_near(const Joint& other) const {
+        const double later = std::abs(later_m - other.later_m);
+        const double earlier = std::abs(earlier_m - other.earlier_m);
+        return later <= kAlong && std::abs(earlier - later) <= kBeside;
+    }
+};
+
 /// Keys in the order of the tour. Memory is linear in their number.
 class KeyGraph {
   public:
@@ -70,6 +86,9 @@ class KeyGraph {
     std::size_t part_begin(std::size_t key) const;
     /// The key at a scan, else the last one before it; there is one.
     std::size_t key_at(std::uint64_t scan) const;
+    Joint joint_at(std::uint64_t scan, std::uint64_t earlier) const {
+        return {scans[key_at(scan)].travelled_m, scans[key_at(earlier)].travelled_m};
+    }
 
     /// Of every key from key `from`, by the way of least variance: each step adds its own and what
     /// its heading does at the distance to `from`. Nothing beyond `way_m` along the graph is gone

@@ -342,6 +342,7 @@ RegistrationFigures Registration::Impl::figures() const {
     figures.edits_unmet = editor_.unmet();
     figures.drawing = laid_drawing(graph_.poses, graph_.edges);
     figures.anchors = anchor_figures();
+    figures.edits_covered = editor_.covered(graph_, refused_, placed_.size());
     figures.by_hand = editor_.counts();
     const auto strained =
         std::ranges::find_if(fixes_, [](const NotedChange& fix) { return fix.bent > fix.limit; });

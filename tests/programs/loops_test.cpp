@@ -121,6 +121,18 @@ TEST_F(LoopsTest, ARunIsAnchoredToADrawing) {
     const auto at_scan_300 = [&](const std::string& folder) {
         std::istringstream line(lines_of(content(folder + "/trajectory.tum")).at(299));
         double stamp = 0.0;
+
+    // Where the stretch of a refusal goes on another one has nothing to refuse.
+    json last;
+    for (const json& loop : refused)
+        if (loop["verdict"] == "by-hand") last = loop;
+    const test::Outcome covered = run(
+        "covered", fmt::format("--set 'registration.edits=refuse {} {}; slip 100; slip 101; "
+                               "refuse {}'",
+                               last["scan"].get<int>() + 1, last["earlier"].get<int>() + 1, scans));
+    EXPECT_THAT(covered.output, HasSubstr("what other refusals name (no. 4 → 1 of the list)"));
+    EXPECT_THAT(covered.output, Not(HasSubstr("have met nothing to change (no.")));
+    EXPECT_EQ(content("covered/trajectory.tum"), content("changed/trajectory.tum"));
         Point2 at;
         line >> stamp >> at.x >> at.y;
         return at;

@@ -53,6 +53,14 @@ struct ChangesByHand {
     std::uint64_t met_nothing = 0;
 };
 
+/// A refusal by hand that has met nothing, as another one has taken the stretch out in which it
+/// names a loop; their places among the changes.
+struct CoveredRefusal {
+    std::uint64_t change = 0;
+    std::uint64_t by = 0;
+    friend bool operator==(const CoveredRefusal&, const CoveredRefusal&) = default;
+};
+
 /// What a run may be trusted for, without any truth.
 struct RegistrationFigures {
     std::uint64_t scans = 0;      ///< that were matched or could not be: those after a motion
@@ -68,7 +76,8 @@ struct RegistrationFigures {
     /// Of the changes by hand, by their places, those that have met nothing to change: refused
     /// loops that nobody has found, scans that have not come.
     std::vector<std::uint64_t> edits_unmet;
-    std::optional<ChangesByHand> by_hand = {};  ///< where there are any
+    std::vector<CoveredRefusal> edits_covered = {};  ///< of those
+    std::optional<ChangesByHand> by_hand = {};       ///< where there are any
     /// The first of those places that bends the graph more than its edges explain, as edits_unmet;
     /// others may pull against a wrong one.
     std::optional<std::uint64_t> strained_fix = {};

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <future>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -238,6 +239,31 @@ bool warn_of_anchors(const RegistrationFigures& figures, std::vector<Advice>& wa
     return !off.empty() || !strained.empty();
 }
 
+/// That changes by hand have met nothing, and why.
+void warn_of_unmet(const RegistrationFigures& figures, std::vector<Advice>& warnings) {
+    std::vector<std::uint64_t> unmet = figures.edits_unmet;
+    std::map<std::uint64_t, std::vector<std::uint64_t>> covered;
+    for (const CoveredRefusal& refusal : figures.edits_covered) {
+        covered[refusal.by].push_back(refusal.change);
+        std::erase(unmet, refusal.change);
+    }
+    for (const auto& [by, changes] : covered) {
+        warn(warnings,
+             HITOS_TEXT("Advice",
+                        "A loop that is refused by hand takes its whole stretch with it, and so "
+                        "what other refusals name (no. %1 of the list): those behind the arrow "
+                        "have met nothing to change, and change nothing."),
+             fmt::format("{} → {}", by + 1, counted(changes)));
+    }
+    if (unmet.empty()) return;
+    warn(warnings,
+         HITOS_TEXT("Advice",
+                    "Changes by hand have met nothing to change (no. %1 of the list): no loop was "
+                    "found there, as where something else joins the passages, or the tour has not "
+                    "come to those scans."),
+         counted(unmet));
+}
+
 void warn_of_registration(const Registration& registration, const Trajectory& odometry,
                           std::vector<Advice>& warnings) {
     const RegistrationFigures figures = registration.figures();
@@ -325,14 +351,7 @@ void warn_of_registration(const Registration& registration, const Trajectory& od
     }
     if (!anchored_wrongly && !figures.strained_fix && misfits.empty())
         warn_of_scale(driven, warnings);
-    if (!figures.edits_unmet.empty()) {
-        warn(warnings,
-             HITOS_TEXT(
-                 "Advice",
-                 "Changes by hand have met nothing to change (no. %1 of the list): loops that "
-                 "nobody has found, or scans that the tour has not come to."),
-             counted(figures.edits_unmet));
-    }
+    warn_of_unmet(figures, warnings);
     if (registration.loops().empty() && driven.path_m > kLongWithoutLoop) {
         warn(warnings,
              HITOS_TEXT("Advice",

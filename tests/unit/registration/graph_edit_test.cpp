@@ -121,12 +121,14 @@ TEST(GraphEdit, WhatIsNoneIsRefusedWithItsPlace) {
 /// Rounds of the ring by an odometry that turns away.
 class EditedRing : public testing::Test {
   protected:
-    test::Driven driven(const std::string& edits, bool loops = true, double key_m = 0.3) const {
+    test::Driven driven(const std::string& edits, bool loops = true, double key_m = 0.3,
+                        std::ptrdiff_t left_out = 0) const {
         RegistrationParams params;
         params.key_distance_m = key_m;
         params.edits = edits;
         params.loops = loops;
-        return test::drive(test::ring_walls(), truth_, 0.01, 1.03, params);
+        return test::drive(test::ring_walls(), {truth_.begin(), truth_.end() - left_out}, 0.01,
+                           1.03, params);
     }
     double error_of(test::Driven driven) const {
         driven.registration.finish();
@@ -365,6 +367,32 @@ TEST_F(EditedRing, ALoopThatIsRefusedIsForeseenOpen) {
 TEST_F(EditedRing, WhatMeetsNothingIsTold) {
     const test::Driven plain = driven("refuse 90 3; slip 60; slip 99999; fix 99998 0 0 0", false);
     EXPECT_THAT(plain.registration.figures().edits_unmet, testing::ElementsAre(0, 2, 3));
+}
+
+TEST_F(EditedRing, WhatAnotherRefusalCoversIsTold) {
+    const auto refuse = [](std::uint64_t scan, std::uint64_t earlier) {
+        return GraphEdit{GraphEdit::Kind::refuse, {scan}, {earlier}};
+    };
+    // The last find of the refused stretch is some scans before the end.
+    const auto driven = [this](std::span<const GraphEdit> edits) {
+        return this->driven(text_of(edits), true, 0.3, 4);
+    };
+    const LoopRecord first = driven({}).registration.loops().front();
+    std::vector<GraphEdit> edits{refuse(first.scan, first.earlier)};
+    const test::Driven alone = driven(edits);
+    EXPECT_TRUE(alone.registration.figures().edits_covered.empty());
+    const std::vector<LoopRecord>& refused = alone.registration.refused_loops();
+    const auto last = std::ranges::find(refused.rbegin(), refused.rend(), LoopVerdict::by_hand,
+                                        &LoopRecord::verdict);
+    ASSERT_LT(last->scan + 1, truth_.size() - 4);
+    // Where it would go on, and where there never was anything.
+    edits.insert(edits.begin(), refuse(last->scan + 1, last->earlier + 1));
+    edits.push_back(refuse(last->scan + 1, last->earlier + 40));
+    const RegistrationFigures told = driven(edits).registration.figures();
+    EXPECT_THAT(told.edits_unmet, testing::ElementsAre(0, 2));
+    EXPECT_THAT(told.edits_covered, testing::ElementsAre(CoveredRefusal{0, 1}));
+    EXPECT_EQ(told.by_hand->refused, 1U);
+    EXPECT_EQ(told.by_hand->met_nothing, 2U);
 }
 
 TEST(GraphEdits, AnotherTourIsToldByItsStamps) {

@@ -112,12 +112,16 @@
         <translation>Los bucles cerrados a mano apenas caen sobre lo que vio el paso anterior (barrido %1): ¿es la pose la del barrido posterior, vista desde el anterior (en un archivo, en metros y radianes)?</translation>
     </message>
     <message>
-        <source>Changes by hand have met nothing to change (no. %1 of the list): loops that nobody has found, or scans that the tour has not come to.</source>
-        <translation>Hay cambios a mano que no han encontrado nada que cambiar (n.º %1 de la lista): bucles que nadie ha encontrado, o barridos a los que el recorrido no ha llegado.</translation>
-    </message>
-    <message>
         <source>Anchors bend the map more than its edges explain (no. %1 of the changes by hand): is each of them the right wall, and do walls meet?</source>
         <translation>Hay anclas que doblan el mapa más de lo que explican sus aristas (n.º %1 de los cambios a mano): ¿es cada una la pared correcta, y casan las paredes?</translation>
+    </message>
+    <message>
+        <source>A loop that is refused by hand takes its whole stretch with it, and so what other refusals name (no. %1 of the list): those behind the arrow have met nothing to change, and change nothing.</source>
+        <translation>Un bucle rechazado a mano se lleva todo su tramo, y con él lo que nombran otros rechazos (n.º %1 de la lista): los que siguen a la flecha no han encontrado nada que cambiar y no cambian nada.</translation>
+    </message>
+    <message>
+        <source>Changes by hand have met nothing to change (no. %1 of the list): no loop was found there, as where something else joins the passages, or the tour has not come to those scans.</source>
+        <translation>Hay cambios a mano que no han encontrado nada que cambiar (n.º %1 de la lista): allí no se encontró ningún bucle, como donde otra cosa une las dos pasadas, o el recorrido no ha llegado a esos barridos.</translation>
     </message>
 </context>
 <context>
