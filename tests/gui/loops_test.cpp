@@ -299,6 +299,27 @@ void InspectTest::a_step_that_slipped_is_listed_and_taken_back() {
     QVERIFY(!list->isVisible());
 }
 
+void InspectTest::what_is_wrong_with_changes_stands_below_them() {
+    Loops f;
+    f.run_with_dock();
+    const auto* told = f.dock().findChild<QLabel*>("edit_warnings");
+    QVERIFY(!told->isVisible());
+    const auto change_to = [&](const std::string& edits) {
+        f.session.set_edits(edits);
+        QTRY_VERIFY_WITH_TIMEOUT(f.at_rest() && f.session.of_run(), 60000);
+    };
+    change_to("slip 60; refuse 200 3");
+    QVERIFY(told->isVisible());
+    QVERIFY2(told->text().startsWith("⚠ Changes by hand have met nothing to change (no. 2 of"),
+             qPrintable(told->text()));
+    QVERIFY(!told->text().contains('\n'));
+    change_to("slip 60");
+    QVERIFY(!told->isVisible());
+    f.session.set_edits("slip 60; slip 100@1234567");
+    QTRY_VERIFY_WITH_TIMEOUT(f.state() == Progress::State::failed && told->isVisible(), 60000);
+    QVERIFY2(told->text().contains("change 2 is of another tour"), qPrintable(told->text()));
+}
+
 void InspectTest::a_scan_is_fixed_where_somebody_says() {
     Loops f(false);
     f.run_to_end();

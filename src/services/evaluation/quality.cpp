@@ -84,6 +84,10 @@ void warn(std::vector<Advice>& warnings, std::string_view text, std::string figu
     warnings.push_back({text, std::move(figure), {}});
 }
 
+void warn_of_changes(std::vector<Advice>& warnings, std::string_view text, std::string figure) {
+    warnings.push_back({text, std::move(figure), {}, true});
+}
+
 double distance(const Pose& a, const Pose& b) {
     return std::hypot(b.x - a.x, b.y - a.y);
 }
@@ -203,13 +207,14 @@ bool warn_of_anchors(const RegistrationFigures& figures, std::vector<Advice>& wa
     constexpr double kOffRad = 0.03;
     if (!figures.drawing) return false;
     if (!figures.drawing->firm) {
-        warn(warnings,
-             HITOS_TEXT(
-                 "Advice",
-                 "The anchors (no. %1 of the changes by hand) do not say where the drawing lies: "
-                 "it takes two walls that are not parallel, two points, or one of each, and "
-                 "further ones to bend the map."),
-             counted(numbers_of(figures.anchors)));
+        warn_of_changes(
+            warnings,
+            HITOS_TEXT(
+                "Advice",
+                "The anchors (no. %1 of the changes by hand) do not say where the drawing lies: "
+                "it takes two walls that are not parallel, two points, or one of each, and "
+                "further ones to bend the map."),
+            counted(numbers_of(figures.anchors)));
     }
     std::vector<AnchorFigures> strained;
     std::vector<AnchorFigures> off;
@@ -219,17 +224,18 @@ bool warn_of_anchors(const RegistrationFigures& figures, std::vector<Advice>& wa
             off.push_back(anchor);
     }
     if (!off.empty()) {
-        warn(warnings,
-             HITOS_TEXT(
-                 "Advice",
-                 "Anchors contradict each other or the map (no. %1 of the changes by hand): what "
-                 "was seen does not lie where the drawing has it. Is each of them the right "
-                 "wall?"),
-             counted(numbers_of(off)));
+        warn_of_changes(
+            warnings,
+            HITOS_TEXT(
+                "Advice",
+                "Anchors contradict each other or the map (no. %1 of the changes by hand): what "
+                "was seen does not lie where the drawing has it. Is each of them the right "
+                "wall?"),
+            counted(numbers_of(off)));
     }
     // One that is wrong may pull others off, and lie well itself.
     if (!strained.empty()) {
-        warn(
+        warn_of_changes(
             warnings,
             HITOS_TEXT("Advice",
                        "Anchors bend the map more than its edges explain (no. %1 of the changes by "
@@ -248,20 +254,22 @@ void warn_of_unmet(const RegistrationFigures& figures, std::vector<Advice>& warn
         std::erase(unmet, refusal.change);
     }
     for (const auto& [by, changes] : covered) {
-        warn(warnings,
-             HITOS_TEXT("Advice",
-                        "A loop that is refused by hand takes its whole stretch with it, and so "
-                        "what other refusals name (no. %1 of the list): those behind the arrow "
-                        "have met nothing to change, and change nothing."),
-             fmt::format("{} → {}", by + 1, counted(changes)));
+        warn_of_changes(
+            warnings,
+            HITOS_TEXT("Advice",
+                       "A loop that is refused by hand takes its whole stretch with it, and so "
+                       "what other refusals name (no. %1 of the list): those behind the arrow "
+                       "have met nothing to change, and change nothing."),
+            fmt::format("{} → {}", by + 1, counted(changes)));
     }
     if (unmet.empty()) return;
-    warn(warnings,
-         HITOS_TEXT("Advice",
-                    "Changes by hand have met nothing to change (no. %1 of the list): no loop was "
-                    "found there, as where something else joins the passages, or the tour has not "
-                    "come to those scans."),
-         counted(unmet));
+    warn_of_changes(
+        warnings,
+        HITOS_TEXT("Advice",
+                   "Changes by hand have met nothing to change (no. %1 of the list): no loop was "
+                   "found there, as where something else joins the passages, or the tour has not "
+                   "come to those scans."),
+        counted(unmet));
 }
 
 void warn_of_registration(const Registration& registration, const Trajectory& odometry,
@@ -331,23 +339,25 @@ void warn_of_registration(const Registration& registration, const Trajectory& od
     const DrivenBy driven = driven_by(registration, odometry);
     const bool anchored_wrongly = warn_of_anchors(figures, warnings);
     if (figures.strained_fix) {
-        warn(warnings,
-             HITOS_TEXT("Advice",
-                        "A place fixed by hand bends the map more than its edges explain (no. %1 "
-                        "of the changes by hand): is it where that scan was (in a file in metres "
-                        "and radians)?"),
-             fmt::format("{}", *figures.strained_fix + 1));
+        warn_of_changes(
+            warnings,
+            HITOS_TEXT("Advice",
+                       "A place fixed by hand bends the map more than its edges explain (no. %1 "
+                       "of the changes by hand): is it where that scan was (in a file in metres "
+                       "and radians)?"),
+            fmt::format("{}", *figures.strained_fix + 1));
     }
     std::vector<std::uint64_t> misfits;
     for (const LoopRecord& loop : registration.loops())
         if (loop.by_hand && loop.score < kFitsByHand) misfits.push_back(loop.scan);
     if (!misfits.empty()) {
-        warn(warnings,
-             HITOS_TEXT("Advice",
-                        "Loops that were closed by hand lie on hardly anything that the earlier "
-                        "passage saw (scan %1): is the pose that of the later scan, seen from "
-                        "the earlier one (in a file in metres and radians)?"),
-             counted(misfits));
+        warn_of_changes(
+            warnings,
+            HITOS_TEXT("Advice",
+                       "Loops that were closed by hand lie on hardly anything that the earlier "
+                       "passage saw (scan %1): is the pose that of the later scan, seen from "
+                       "the earlier one (in a file in metres and radians)?"),
+            counted(misfits));
     }
     if (!anchored_wrongly && !figures.strained_fix && misfits.empty())
         warn_of_scale(driven, warnings);

@@ -69,6 +69,10 @@ EditList::EditList(Session& session, QWidget* parent) : QWidget(parent), session
     list_->setAccessibleName(tr("Changes by hand"));
     list_->setMaximumHeight(4 * fontMetrics().height());
     column->addWidget(list_);
+    warnings_ = new QLabel(this);
+    warnings_->setObjectName("edit_warnings");
+    warnings_->setWordWrap(true);
+    column->addWidget(warnings_);
     auto* bar = new QWidget(this);
     auto* row = new FlowLayout(bar, 4);
     take_back_ = new QPushButton(tr("Take back the change"), bar);
@@ -141,6 +145,7 @@ void EditList::refresh() {
     }
     show_steps();
     show_effect();
+    show_warnings();
 }
 
 /// What can be said of the scan that is shown.
@@ -194,6 +199,24 @@ void EditList::show_effect() {
                                       : tr("By the last change: %1."))
                          .arg(words.join(", ")));
     if (anchors_ != nullptr) anchors_->tell(effect_->text());
+}
+
+/// What the run says of the changes as they are: none of those that were before, or are foreseen.
+void EditList::show_warnings() {
+    QStringList told;
+    const auto snapshot = session_.snapshot();
+    if (snapshot && !snapshot->foreseen && !session_.shows_before()) {
+        for (const Advice& advice : snapshot->advice)
+            if (advice.by_hand) told << words_of(advice);
+    }
+    const Progress progress = session_.progress();
+    if (progress.state == Progress::State::failed &&
+        progress.error.english().starts_with(kGraphEditsKey)) {
+        told << words_of(progress.error);
+    }
+    for (QString& words : told) words = QString::fromUtf8("⚠ ") + words;
+    warnings_->setText(told.join('\n'));
+    warnings_->setVisible(!told.isEmpty());
 }
 
 void EditList::show_anchors() {

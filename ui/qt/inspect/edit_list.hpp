@@ -47,9 +47,11 @@ class EditList final : public QWidget {
     void add(GraphEdit edit);
     void show_steps();
     void show_effect();
+    void show_warnings();
 
     Session& session_;
     QListWidget* list_;
+    QLabel* warnings_;
     QPushButton* take_back_;
     QPushButton* slip_;
     QPushButton* fix_;

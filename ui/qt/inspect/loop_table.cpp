@@ -118,6 +118,7 @@ LoopTable::LoopTable(Session& session, QWidget* parent)
     connect(which_, &QComboBox::currentIndexChanged, this, &LoopTable::refresh);
     connect(&session, &Session::snapshot_changed, this, &LoopTable::refresh);
     connect(&session, &Session::references_changed, this, &LoopTable::refresh);
+    connect(&session, &Session::failed, this, &LoopTable::refresh);
     connect(&session, &Session::restarted, this, [this] {
         fitted_ = {};
         first_place_.reset();

@@ -30,6 +30,7 @@ struct Advice {
     std::string_view text;    ///< translated in the context "Advice"; %1 stands for the figure
     std::string figure;       ///< with its unit: "0.54 m", "31 %"
     std::string_view preset;  ///< to try, or empty
+    bool by_hand = false;     ///< of the changes by hand of the graph
 
     /// The text in English, with the preset to try.
     std::string words() const;
