@@ -19,13 +19,13 @@
 namespace hitos {
 namespace {
 
-/// The map is made of its run's own changes, which those of a file come behind.
+/// The map is made of its run's own changes too. Those of a file come first: they are numbered as
+/// they are there.
 void add_those_of_map(Configuracion& configuration) {
     if (configuration.source.map.empty()) return;
+    std::vector<GraphEdit> all = parse_graph_edits(configuration.registration.edits);
     const std::string of_map = configuration_to_go_on(configuration.source.map).registration.edits;
-    std::vector<GraphEdit> all = parse_graph_edits(of_map);
-    if (all.empty()) return;
-    for (const GraphEdit& edit : parse_graph_edits(configuration.registration.edits)) {
+    for (const GraphEdit& edit : parse_graph_edits(of_map)) {
         if (!has_change(all, edit)) all.push_back(edit);
     }
     configuration.registration.edits = text_of(all);

@@ -134,6 +134,7 @@ TEST_F(SecondTourTest, ChangesByHandAreAddedToThoseThatTheMapHas) {
     ASSERT_EQ(told.status, 0) << told.output;
     EXPECT_EQ(content("out/map.txt"), content("mended/map.txt"));
     EXPECT_THAT(told.output, Not(HasSubstr("other parameters")));
+    EXPECT_THAT(told.output, HasSubstr("changes by hand from no. 2 on are those of the map of "));
     const std::string both = content("out/edits.toml");
     EXPECT_THAT(both, HasSubstr("slip 12"));
     EXPECT_THAT(both, HasSubstr("slip " + std::to_string(scans + 20)));
@@ -142,6 +143,15 @@ TEST_F(SecondTourTest, ChangesByHandAreAddedToThoseThatTheMapHas) {
               0);
     EXPECT_EQ(content("again/trajectory.tum"), content("out/trajectory.tum"));
     EXPECT_EQ(content("again/edits.toml"), both);
+    // What is said of a change names it by its number in the file.
+    file("own.toml", "[registration]\nedits = \"slip " + std::to_string(scans + 20) + "; refuse " +
+                         std::to_string(scans + 40) + " " + std::to_string(scans + 3) + "\"\n");
+    const test::Outcome unmet = run("second.toml", "out", mended + " --edits " + path("own.toml"));
+    EXPECT_THAT(unmet.output, HasSubstr("met nothing to change (no. 2 of the list)"));
+    EXPECT_THAT(unmet.output, HasSubstr("changes by hand from no. 3 on are those of the map of "));
+    file("own.toml", "[registration]\nedits = \"slip 12@1234567\"\n");
+    EXPECT_THAT(run("second.toml", "out", mended + " --edits " + path("own.toml")).output,
+                HasSubstr("change 1 is of another tour"));
 }
 
 TEST_F(SecondTourTest, ChangesOfAMapThatIsHeldAreRefused) {
