@@ -37,11 +37,11 @@ void choose_values(Configuracion& configuration, const ValueChoices& choices) {
     for (const std::string& assignment : choices.assignments) {
         set_parameter(configuration, assignment);
     }
+    const bool sets_edits = std::ranges::any_of(
+        choices.assignments,
+        [](const std::string& assignment) { return assignment.starts_with(kGraphEditsKey); });
     if (!choices.edits.empty()) {
-        const auto is_edits = [](const std::string& assignment) {
-            return assignment.starts_with(kGraphEditsKey);
-        };
-        if (std::ranges::any_of(choices.assignments, is_edits)) {
+        if (sets_edits) {
             throw ConfigError("--edits",
                               HITOS_TEXT("Errors",
                                          "--set %1 names other changes; give one of "
@@ -72,6 +72,10 @@ void choose_values(Configuracion& configuration, const ValueChoices& choices) {
         find_parameter("run.threads").set(configuration, std::to_string(*choices.threads));
     }
     check(configuration);
+    // The same changes leave the same configuration, whoever names them.
+    if (sets_edits || !choices.edits.empty())
+        configuration.registration.edits =
+            text_of(parse_graph_edits(configuration.registration.edits));
     if (!choices.edits.empty() && !needs_registration(configuration.filter)) {
         throw ConfigError("--edits",
                           HITOS_TEXT("Errors",
