@@ -10,10 +10,10 @@
 namespace hitos {
 namespace {
 
-constexpr auto kNone = std::numeric_limits<BlockFactor::Rank>::max();
+constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr auto kNowhere = std::numeric_limits<std::size_t>::max();
 
-/// Rows of a panel, of as many columns as the variable has numbers.
+/// Rows of a panel, of all its columns.
 struct Rows {
     const double* first;
     std::size_t stride;
@@ -21,31 +21,30 @@ struct Rows {
     std::size_t columns;
 };
 
-/// sum = rows * D * (their first `wide`)', `wide` columns of as many rows.
-template <std::size_t kColumns>
+/// sum = rows * D * (their first `wide`)', `wide` columns of as many rows. A panel of variables of
+/// three numbers has three columns, or six, or nine.
 HITOS_INLINE void multiply(const Rows& rows, const double* d, std::size_t wide,
                            double* __restrict sum) {
-    const std::size_t columns = kColumns == 0 ? rows.columns : kColumns;
     for (std::size_t c = 0; c < wide; ++c) {
         double* const to = sum + c * rows.count;
-        if constexpr (kColumns == 3) {
-            const double* const x = rows.first;
+        std::fill_n(to, rows.count, 0.0);
+        std::size_t a = 0;
+        for (; a + 3 <= rows.columns; a += 3) {
+            const double* const x = rows.first + a * rows.stride;
             const double* const y = x + rows.stride;
             const double* const z = y + rows.stride;
-            const double by_x = d[0] * x[c];
-            const double by_y = d[1] * y[c];
-            const double by_z = d[2] * z[c];
+            const double by_x = d[a] * x[c];
+            const double by_y = d[a + 1] * y[c];
+            const double by_z = d[a + 2] * z[c];
             HITOS_LANES
             for (std::size_t r = 0; r < rows.count; ++r)
-                to[r] = x[r] * by_x + y[r] * by_y + z[r] * by_z;
-        } else {
-            std::fill_n(to, rows.count, 0.0);
-            for (std::size_t a = 0; a < columns; ++a) {
-                const double* const from = rows.first + a * rows.stride;
-                const double by = d[a] * from[c];
-                HITOS_LANES
-                for (std::size_t r = 0; r < rows.count; ++r) to[r] += from[r] * by;
-            }
+                to[r] += x[r] * by_x + y[r] * by_y + z[r] * by_z;
+        }
+        for (; a < rows.columns; ++a) {
+            const double* const from = rows.first + a * rows.stride;
+            const double by = d[a] * from[c];
+            HITOS_LANES
+            for (std::size_t r = 0; r < rows.count; ++r) to[r] += from[r] * by;
         }
     }
 }
@@ -74,48 +73,63 @@ HITOS_INLINE bool eliminate(double* panel, std::size_t height, std::size_t wide,
 BlockFactor::BlockFactor(std::vector<std::uint32_t> sizes, std::span<const Block> blocks)
     : sizes_(std::move(sizes)) {
     // Rows of a column are those of the matrix, and those of columns whose first row it is.
-    std::vector<std::vector<Rank>> rows(count());
+    std::vector<std::vector<Rank>> rows(sizes_.size());
     for (const Block& block : blocks) {
         if (block.row != block.column) rows[block.column].push_back(block.row);
     }
-    std::size_t at = 0;
-    std::size_t numbers = 0;
-    begins_.push_back(0);
-    for (Rank column = 0; column < count(); ++column) {
-        std::vector<Rank>& below = rows[column];
+    for (std::vector<Rank>& below : rows) {
         std::ranges::sort(below);
         below.erase(std::ranges::unique(below).begin(), below.end());
-        if (!below.empty()) {
-            std::vector<Rank>& up = rows[below.front()];
-            up.insert(up.end(), below.begin() + 1, below.end());
+        if (below.empty()) continue;
+        std::vector<Rank>& up = rows[below.front()];
+        up.insert(up.end(), below.begin() + 1, below.end());
+    }
+    lay_out(rows);
+}
+
+void BlockFactor::lay_out(std::span<const std::vector<Rank>> rows) {
+    std::size_t at = 0;
+    std::size_t numbers = 0;
+    for (Rank first = 0; first < rows.size();) {
+        Panel panel{first, at, 0, 0, rows_.size(), 0, numbers};
+        Rank last = first;
+        // The next one has the same rows but itself: it is one of them, and there are no more.
+        while (!rows[last].empty() && rows[last].front() == last + 1 &&
+               rows[last].size() == rows[last + 1].size() + 1) {
+            ++last;
         }
-        at_.push_back(at);
-        at += sizes_[column];
-        std::uint32_t height = sizes_[column];
-        for (const Rank row : below) {
+        for (; first <= last; ++first) {
+            at_.push_back(at);
+            panel_of_.push_back(static_cast<std::uint32_t>(panels_.size()));
+            at += sizes_[first];
+        }
+        panel.wide = panel.height = at - panel.at;
+        for (const Rank row : rows[last]) {
             rows_.push_back(row);
-            offsets_.push_back(height);
-            height += sizes_[row];
+            offsets_.push_back(panel.height);
+            panel.height += sizes_[row];
         }
-        begins_.push_back(rows_.size());
-        heights_.push_back(height);
-        panels_.push_back(numbers);
-        numbers += static_cast<std::size_t>(height) * sizes_[column];
-        below = {};
+        panel.rows_end = rows_.size();
+        numbers += panel.height * panel.wide;
+        panels_.push_back(panel);
     }
     values_.resize(numbers);
     d_.resize(static_cast<Eigen::Index>(at));
 }
 
 BlockFactor::Place BlockFactor::place(Rank row, Rank column) {
+    const Panel& panel = panels_[panel_of_[column]];
     std::size_t offset = 0;
-    if (row != column) {
-        const auto first = rows_.begin() + static_cast<std::ptrdiff_t>(begin(column));
-        const auto last = rows_.begin() + static_cast<std::ptrdiff_t>(end(column));
+    if (panel_of_[row] == panel_of_[column]) {
+        offset = own_offset(row);
+    } else {
+        const auto first = rows_.begin() + static_cast<std::ptrdiff_t>(panel.rows);
+        const auto last = rows_.begin() + static_cast<std::ptrdiff_t>(panel.rows_end);
         offset =
             offsets_[static_cast<std::size_t>(std::lower_bound(first, last, row) - rows_.begin())];
     }
-    return {panel(column) + offset, heights_[column]};
+    return {values(panel) + own_offset(column) * panel.height + offset,
+            static_cast<Eigen::Index>(panel.height)};
 }
 
 void BlockFactor::clear() {
@@ -123,78 +137,83 @@ void BlockFactor::clear() {
 }
 
 bool BlockFactor::factorize() {
-    // Of each row the columns that are eliminated and have not been used for it: the first, and
-    // from each the next one; and of each such column the block in that row.
-    std::vector<Rank> first(count(), kNone);
-    std::vector<Rank> next(count(), kNone);
-    std::vector<std::size_t> block(count());
-    const auto waits_for_next_row = [&](Rank column) {
-        if (block[column] == end(column)) return;
-        next[column] = std::exchange(first[rows_[block[column]]], column);
+    // Of each panel those that are eliminated and have not been used for it: the first, and from
+    // each the next one; and of each such panel the block that comes next.
+    std::vector<std::uint32_t> first(panels_.size(), kNone);
+    std::vector<std::uint32_t> next(panels_.size(), kNone);
+    std::vector<std::size_t> block(panels_.size());
+    const auto waits_for_next_rows = [&](std::uint32_t panel) {
+        if (block[panel] == panels_[panel].rows_end) return;
+        next[panel] = std::exchange(first[panel_of_[rows_[block[panel]]]], panel);
     };
-    std::vector<std::size_t> offset_of(count());  // of the rows of the panel at hand
+    std::vector<std::size_t> offset_of(sizes_.size());  // of the rows of the panel at hand
     std::vector<double> sum;
     struct Run {
         std::size_t from;
         std::size_t to;
         std::size_t length;
     };
-    std::vector<Run> run(count());
+    std::vector<Run> run(sizes_.size());
     bool positive = true;
     vectorised([&]() HITOS_INLINED {
-        for (Rank column = 0; column < count(); ++column) {
-            double* const to = panel(column);
-            const std::size_t height = heights_[column];
-            const std::size_t wide = sizes_[column];
-            offset_of[column] = 0;
-            for (std::size_t i = begin(column); i < end(column); ++i)
+        for (std::uint32_t number = 0; number < panels_.size(); ++number) {
+            const Panel& panel = panels_[number];
+            double* const to = values(panel);
+            for (Rank own = panel.first; own < sizes_.size() && panel_of_[own] == number; ++own)
+                offset_of[own] = own_offset(own);
+            for (std::size_t i = panel.rows; i < panel.rows_end; ++i)
                 offset_of[rows_[i]] = offsets_[i];
-            for (Rank earlier = first[column]; earlier != kNone;) {
-                const Rank other = next[earlier];
-                const std::size_t begin_block = block[earlier]++;
-                const std::size_t offset = offsets_[begin_block];
-                const Rows rows{panel(earlier) + offset, heights_[earlier],
-                                heights_[earlier] - offset, sizes_[earlier]};
-                sum.resize(std::max(sum.size(), rows.count * wide));
-                const double* const d = d_.data() + at_[earlier];
-                if (rows.columns == 3) {
-                    multiply<3>(rows, d, wide, sum.data());
-                } else {
-                    multiply<0>(rows, d, wide, sum.data());
-                }
+            for (std::uint32_t other = first[number]; other != kNone;) {
+                const Panel& earlier = panels_[other];
+                const std::size_t begin = block[other];
+                const std::size_t offset = offsets_[begin];
                 std::size_t runs = 0;  // of rows that follow each other in both panels
                 std::size_t behind = kNowhere;
-                for (std::size_t i = begin_block; i < end(earlier); ++i) {
+                std::size_t wide = 0;  // numbers of the variables of this panel among them
+                for (std::size_t i = begin; i < earlier.rows_end; ++i) {
+                    const std::size_t size = sizes_[rows_[i]];
                     const std::size_t at = offset_of[rows_[i]];
                     if (at != behind) run[runs++] = {offsets_[i] - offset, at, 0};
-                    run[runs - 1].length += sizes_[rows_[i]];
-                    behind = at + sizes_[rows_[i]];
+                    run[runs - 1].length += size;
+                    behind = at + size;
+                    if (panel_of_[rows_[i]] != number) continue;
+                    wide += size;
+                    ++block[other];
                 }
-                for (std::size_t c = 0; c < wide; ++c) {
-                    for (std::size_t i = 0; i < runs; ++i) {
-                        const double* const part = sum.data() + c * rows.count + run[i].from;
-                        double* const into = to + c * height + run[i].to;
-                        HITOS_LANES
-                        for (std::size_t r = 0; r < run[i].length; ++r) into[r] -= part[r];
+                const Rows rows{values(earlier) + offset, earlier.height, earlier.height - offset,
+                                earlier.wide};
+                sum.resize(std::max(sum.size(), rows.count * wide));
+                multiply(rows, d_.data() + earlier.at, wide, sum.data());
+                // The first rows say which columns these are.
+                for (std::size_t i = 0, c = 0; c < wide; ++i) {
+                    for (std::size_t k = 0; k < run[i].length && c < wide; ++k, ++c) {
+                        double* const column = to + (run[i].to + k) * panel.height;
+                        for (std::size_t j = 0; j < runs; ++j) {
+                            const double* const part = sum.data() + c * rows.count + run[j].from;
+                            double* const into = column + run[j].to;
+                            HITOS_LANES
+                            for (std::size_t r = 0; r < run[j].length; ++r) into[r] -= part[r];
+                        }
                     }
                 }
-                waits_for_next_row(earlier);
-                earlier = other;
+                const std::uint32_t following = next[other];
+                waits_for_next_rows(other);
+                other = following;
             }
-            positive = eliminate(to, height, wide, d_.data() + at_[column]);
+            positive = eliminate(to, panel.height, panel.wide, d_.data() + panel.at);
             if (!positive) return;
-            block[column] = begin(column);
-            waits_for_next_row(column);
+            block[number] = panel.rows;
+            waits_for_next_rows(number);
         }
     });
     return positive;
 }
 
 template <class Body>
-void BlockFactor::each_below(Rank column, std::size_t c, const Body& body) const {
-    const double* const l = panel(column) + c * heights_[column];
-    for (std::size_t r = c + 1; r < sizes_[column]; ++r) body(at_[column] + r, l[r]);
-    for (std::size_t i = begin(column); i < end(column); ++i) {
+void BlockFactor::each_below(const Panel& panel, std::size_t c, const Body& body) const {
+    const double* const l = values(panel) + c * panel.height;
+    for (std::size_t r = c + 1; r < panel.wide; ++r) body(panel.at + r, l[r]);
+    for (std::size_t i = panel.rows; i < panel.rows_end; ++i) {
         const std::size_t at = at_[rows_[i]];
         for (std::size_t r = 0; r < sizes_[rows_[i]]; ++r) body(at + r, l[offsets_[i] + r]);
     }
@@ -202,28 +221,28 @@ void BlockFactor::each_below(Rank column, std::size_t c, const Body& body) const
 
 void BlockFactor::solve(Eigen::VectorXd& x) const {
     double* const of = x.data();
-    for (Rank column = 0; column < count(); ++column) {
-        for (std::size_t c = 0; c < sizes_[column]; ++c) {
-            const double known = of[at_[column] + c];
-            each_below(column, c, [&](std::size_t row, double l) { of[row] -= l * known; });
+    for (const Panel& panel : panels_) {
+        for (std::size_t c = 0; c < panel.wide; ++c) {
+            const double known = of[panel.at + c];
+            each_below(panel, c, [&](std::size_t row, double l) { of[row] -= l * known; });
         }
     }
     x = x.cwiseQuotient(d_);
-    for (Rank column = static_cast<Rank>(count()); column-- > 0;) {
-        for (std::size_t c = sizes_[column]; c-- > 0;) {
+    for (std::size_t i = panels_.size(); i-- > 0;) {
+        for (std::size_t c = panels_[i].wide; c-- > 0;) {
             double known = 0.0;
-            each_below(column, c, [&](std::size_t row, double l) { known += l * of[row]; });
-            of[at_[column] + c] -= known;
+            each_below(panels_[i], c, [&](std::size_t row, double l) { known += l * of[row]; });
+            of[panels_[i].at + c] -= known;
         }
     }
 }
 
 void BlockFactor::reduce(Eigen::MatrixXd& y) const {
-    for (Rank column = 0; column < count(); ++column) {
-        for (std::size_t c = 0; c < sizes_[column]; ++c) {
-            const auto k = static_cast<Eigen::Index>(at_[column] + c);
+    for (const Panel& panel : panels_) {
+        for (std::size_t c = 0; c < panel.wide; ++c) {
+            const auto k = static_cast<Eigen::Index>(panel.at + c);
             if ((y.row(k).array() == 0.0).all()) continue;
-            each_below(column, c, [&](std::size_t row, double l) {
+            each_below(panel, c, [&](std::size_t row, double l) {
                 y.row(static_cast<Eigen::Index>(row)) -= l * y.row(k);
             });
         }
@@ -237,9 +256,9 @@ std::vector<Eigen::MatrixXd> BlockFactor::inverse_blocks() const {
     std::vector<std::size_t> begins{0};  // of columns
     std::vector<std::size_t> rows;
     std::vector<double> l;
-    for (Rank column = 0; column < count(); ++column) {
-        for (std::size_t c = 0; c < sizes_[column]; ++c) {
-            each_below(column, c, [&](std::size_t row, double value) {
+    for (const Panel& panel : panels_) {
+        for (std::size_t c = 0; c < panel.wide; ++c) {
+            each_below(panel, c, [&](std::size_t row, double value) {
                 rows.push_back(row);
                 l.push_back(value);
             });
@@ -285,8 +304,8 @@ std::vector<Eigen::MatrixXd> BlockFactor::inverse_blocks() const {
             rows.begin())];
     };
     std::vector<Eigen::MatrixXd> blocks;
-    blocks.reserve(count());
-    for (Rank of = 0; of < count(); ++of) {
+    blocks.reserve(sizes_.size());
+    for (Rank of = 0; of < sizes_.size(); ++of) {
         const auto wide = static_cast<Eigen::Index>(sizes_[of]);
         blocks.emplace_back(
             Eigen::MatrixXd::NullaryExpr(wide, wide, [&](Eigen::Index a, Eigen::Index b) {

@@ -10,10 +10,10 @@
 
 namespace hitos {
 
-/// L D L', with rows and columns in the order in which variables are eliminated. Where blocks of L
-/// are not 0 the columns of a variable stand together as one dense panel, its own rows first; each
-/// is made of those before that have rows in common with it (left-looking, with dense updates: Ng
-/// and Peyton, 1993). The same bits with any vectors.
+/// L D L', with rows and columns in the order in which variables are eliminated. Variables that
+/// follow each other and have the same rows below stand together as one dense panel, their own rows
+/// first; each panel is made of those before that have rows in common with it (left-looking, with
+/// dense updates of supernodes: Ng and Peyton, 1993). The same bits with any vectors.
 class BlockFactor {
   public:
     using Rank = std::uint32_t;  // of a variable as it is eliminated
@@ -49,23 +49,32 @@ class BlockFactor {
     std::vector<Eigen::MatrixXd> inverse_blocks() const;
 
   private:
-    /// Calls body(row, number) for the entries of L below the diagonal in a column of a variable.
+    /// Variables that stand together.
+    struct Panel {
+        Rank first;          // of its variables
+        std::size_t at;      // their first row
+        std::size_t wide;    // numbers of its variables
+        std::size_t height;  // and of its rows
+        std::size_t rows;    // where its blocks below begin in rows_ and offsets_
+        std::size_t rows_end;
+        std::size_t values;  // where it begins in values_
+    };
+    void lay_out(std::span<const std::vector<Rank>> rows);
+    /// Calls body(row, number) for the entries of L below the diagonal in a column of a panel.
     template <class Body>
-    void each_below(Rank column, std::size_t c, const Body& body) const;
-    std::size_t count() const { return sizes_.size(); }
-    double* panel(Rank column) { return values_.data() + panels_[column]; }
-    const double* panel(Rank column) const { return values_.data() + panels_[column]; }
-    /// Blocks below the diagonal, as places in rows_ and offsets_.
-    std::size_t begin(Rank column) const { return begins_[column]; }
-    std::size_t end(Rank column) const { return begins_[column + 1]; }
+    void each_below(const Panel& panel, std::size_t c, const Body& body) const;
+    double* values(const Panel& panel) { return values_.data() + panel.values; }
+    const double* values(const Panel& panel) const { return values_.data() + panel.values; }
+    std::size_t own_offset(Rank variable) const {
+        return at_[variable] - panels_[panel_of_[variable]].at;
+    }
 
     std::vector<std::uint32_t> sizes_;
-    std::vector<std::size_t> at_;         // first row of each variable
-    std::vector<std::size_t> begins_;     // of each column's blocks in rows_
-    std::vector<Rank> rows_;              // of L's blocks below the diagonal, column by column
-    std::vector<std::uint32_t> offsets_;  // the first row of each in its panel
-    std::vector<std::uint32_t> heights_;  // of panels
-    std::vector<std::size_t> panels_;     // where they begin in values_
+    std::vector<std::size_t> at_;          // first row of each variable
+    std::vector<std::uint32_t> panel_of_;  // each variable
+    std::vector<Panel> panels_;
+    std::vector<Rank> rows_;            // variables below the diagonal, panel by panel
+    std::vector<std::size_t> offsets_;  // the first row of each in its panel
     std::vector<double> values_;
     Eigen::VectorXd d_;
 };
