@@ -104,7 +104,7 @@ void PointMap::search_row(int row, int first_column, int last_column, float x, f
         return _mm_add_ps(_mm_mul_ps(dx, dx), _mm_mul_ps(dy, dy));
     };
     __m128 least4 = _mm_set1_ps(least);
-    for (; i + 4 <= end; i += 4) least4 = _mm_min_ps(least4, four(i));
+    for (; i + 4 <= end; i += 4) least4 = _mm_min_ps(four(i), least4);
     least4 = _mm_min_ps(least4, _mm_movehl_ps(least4, least4));
     least4 = _mm_min_ss(least4, _mm_shuffle_ps(least4, least4, 1));
     least = _mm_cvtss_f32(least4);

@@ -51,8 +51,7 @@ class NormalEquations {
     void hold(std::size_t variable, double information);
 
     /// Whether the factor of what was added since the first begin() has at most so many numbers,
-    /// each of 12 bytes; beyond 2^31 - 1 of them solve() may not be called. Before the first
-    /// solve().
+    /// each of 8 bytes. Before the first solve().
     bool factor_fits(std::uint64_t most);
     /// Solves; false where H is not positive definite.
     bool solve();

@@ -125,14 +125,16 @@ TEST_P(GoingBack, TheStateAtAScanIsTheOneOfARunForwards) {
     EXPECT_TRUE(path_of(worker) == whole);
 }
 
+std::string in_one_word(const testing::TestParamInfo<const char*>& name) {
+    std::string word = name.param;
+    std::erase(word, '-');
+    return word;
+}
+
 INSTANTIATE_TEST_SUITE_P(Algorithms, GoingBack,
                          testing::Values("fastslam", "ekf-slam", "graph-slam", "registered",
                                          "ransac"),
-                         [](const auto& name) {
-                             std::string word = name.param;
-                             std::erase(word, '-');
-                             return word;
-                         });
+                         in_one_word);
 
 /// The whole run with those changes by hand, on this thread.
 std::unique_ptr<Algoritmo> run_with(Configuracion configuration, const std::string& edits) {
@@ -143,128 +145,131 @@ std::unique_ptr<Algoritmo> run_with(Configuracion configuration, const std::stri
     return run;
 }
 
-TEST(RunWorker, ChangesByHandGiveWhatTheyGiveFromTheBeginning) {
-    for (const char* algorithm : {"fastslam", "ekf-slam", "graph-slam"}) {
-        Configuracion configuration =
-            ArchivoConfiguracion::read(kRepository / "config/recorded.cfg");
-        configuration.source.file = kRepository / "data/bigloop-noisy.log.gz";
-        configuration.filter.particles = 5;
-        configuration.filter.algorithm = algorithm;
-        ASSERT_TRUE(needs_registration(configuration.filter)) << algorithm;
-        const auto plain = run_with(configuration, "");
-        ASSERT_FALSE(plain->registration()->loops().empty()) << algorithm;
-        const Pose fixed = run_with(configuration, "fix 800 1 2 0")->best_trajectory()[799].pose;
-        EXPECT_NEAR(fixed.x, 1.0, 0.05) << algorithm;
-        EXPECT_NEAR(fixed.y, 2.0, 0.05) << algorithm;
-        EXPECT_NEAR(fixed.theta, 0.0, 0.02) << algorithm;
-        const LoopRecord loop = plain->registration()->loops().front();
-        const std::string refused =
-            text_of(std::vector<GraphEdit>{{GraphEdit::Kind::refuse, {loop.scan}, {loop.earlier}}});
+class ChangesByHand : public testing::TestWithParam<const char*> {};
 
-        AlgoritmoOptions options;
-        options.go_back = true;
-        RunWorker worker(configuration, open_source(configuration.source), options);
-        worker.run();
-        worker.wait();
-        // What is foreseen is shown alone until the run is there, even to who asks for more.
-        // The worker rests between two steps as long as somebody looks.
-        std::shared_ptr<const Snapshot> foreseen;
-        const auto look = [&](const std::string& edits, const std::string& next) {
-            std::promise<void> seen;
-            std::promise<void> there;
-            worker.set_edits(edits);
-            worker.with_run([](const Algoritmo&) {}).wait();  // of a step that was under way
-            auto rest = worker.with_run([&](const Algoritmo&) {
-                there.set_value();
-                seen.get_future().wait();
-            });
-            there.get_future().wait();
-            foreseen = worker.latest_snapshot();
-            worker.request_snapshot();
-            if (!next.empty()) worker.set_edits(next);
-            seen.set_value();
-            rest.wait();
-        };
-        look(refused, {});
-        ASSERT_TRUE(foreseen) << algorithm;
-        EXPECT_TRUE(foreseen->foreseen) << algorithm;
-        EXPECT_EQ(foreseen->steps, plain->steps()) << algorithm;
-        EXPECT_NE(foreseen->best_trajectory, plain->best_trajectory()) << algorithm;
-        // Another change while the tour is taken again.
-        look(refused + "; fix 800 1 2 0", refused);
-        ASSERT_TRUE(foreseen) << algorithm;
-        EXPECT_TRUE(foreseen->foreseen) << algorithm;
-        EXPECT_EQ(foreseen->steps, plain->steps()) << algorithm;
-        EXPECT_NEAR(foreseen->best_trajectory[799].pose.x, 1.0, 0.1) << algorithm;
-        EXPECT_NEAR(foreseen->best_trajectory[799].pose.y, 2.0, 0.1) << algorithm;
-        worker.wait();
-        EXPECT_FALSE(worker.latest_snapshot()->foreseen) << algorithm;
-        EXPECT_EQ(worker.progress().state, State::finished);
-        EXPECT_LT(worker.progress().steps_per_second, 1e6) << algorithm;
-        expect_same_state(worker, *run_with(configuration, refused));
-        EXPECT_EQ(worker.figures_since(0).size(), plain->steps());
-        // What is asked for meanwhile is the run's own, when it is there.
-        worker.set_edits("");
+TEST_P(ChangesByHand, GiveWhatTheyGiveFromTheBeginning) {
+    const char* const algorithm = GetParam();
+    Configuracion configuration = ArchivoConfiguracion::read(kRepository / "config/recorded.cfg");
+    configuration.source.file = kRepository / "data/bigloop-noisy.log.gz";
+    configuration.filter.particles = 5;
+    configuration.filter.algorithm = algorithm;
+    ASSERT_TRUE(needs_registration(configuration.filter)) << algorithm;
+    const auto plain = run_with(configuration, "");
+    ASSERT_FALSE(plain->registration()->loops().empty()) << algorithm;
+    const Pose fixed = run_with(configuration, "fix 800 1 2 0")->best_trajectory()[799].pose;
+    EXPECT_NEAR(fixed.x, 1.0, 0.05) << algorithm;
+    EXPECT_NEAR(fixed.y, 2.0, 0.05) << algorithm;
+    EXPECT_NEAR(fixed.theta, 0.0, 0.02) << algorithm;
+    const LoopRecord loop = plain->registration()->loops().front();
+    const std::string refused =
+        text_of(std::vector<GraphEdit>{{GraphEdit::Kind::refuse, {loop.scan}, {loop.earlier}}});
+
+    AlgoritmoOptions options;
+    options.go_back = true;
+    RunWorker worker(configuration, open_source(configuration.source), options);
+    worker.run();
+    worker.wait();
+    // What is foreseen is shown alone until the run is there, even to who asks for more.
+    // The worker rests between two steps as long as somebody looks.
+    std::shared_ptr<const Snapshot> foreseen;
+    const auto look = [&](const std::string& edits, const std::string& next) {
+        std::promise<void> seen;
+        std::promise<void> there;
+        worker.set_edits(edits);
+        worker.with_run([](const Algoritmo&) {}).wait();  // of a step that was under way
+        auto rest = worker.with_run([&](const Algoritmo&) {
+            there.set_value();
+            seen.get_future().wait();
+        });
+        there.get_future().wait();
+        foreseen = worker.latest_snapshot();
         worker.request_snapshot();
+        if (!next.empty()) worker.set_edits(next);
+        seen.set_value();
+        rest.wait();
+    };
+    look(refused, {});
+    ASSERT_TRUE(foreseen) << algorithm;
+    EXPECT_TRUE(foreseen->foreseen) << algorithm;
+    EXPECT_EQ(foreseen->steps, plain->steps()) << algorithm;
+    EXPECT_NE(foreseen->best_trajectory, plain->best_trajectory()) << algorithm;
+    // Another change while the tour is taken again.
+    look(refused + "; fix 800 1 2 0", refused);
+    ASSERT_TRUE(foreseen) << algorithm;
+    EXPECT_TRUE(foreseen->foreseen) << algorithm;
+    EXPECT_EQ(foreseen->steps, plain->steps()) << algorithm;
+    EXPECT_NEAR(foreseen->best_trajectory[799].pose.x, 1.0, 0.1) << algorithm;
+    EXPECT_NEAR(foreseen->best_trajectory[799].pose.y, 2.0, 0.1) << algorithm;
+    worker.wait();
+    EXPECT_FALSE(worker.latest_snapshot()->foreseen) << algorithm;
+    EXPECT_EQ(worker.progress().state, State::finished);
+    EXPECT_LT(worker.progress().steps_per_second, 1e6) << algorithm;
+    expect_same_state(worker, *run_with(configuration, refused));
+    EXPECT_EQ(worker.figures_since(0).size(), plain->steps());
+    // What is asked for meanwhile is the run's own, when it is there.
+    worker.set_edits("");
+    worker.request_snapshot();
+    worker.wait();
+    EXPECT_FALSE(worker.latest_snapshot()->foreseen) << algorithm;
+    expect_same_state(worker, *plain);
+    worker.set_edits(refused);
+    worker.wait();
+    // Of a change behind where the run has gone back to nothing is foreseen.
+    worker.set_edits("fix 800 1 2 0");
+    worker.seek(400);
+    worker.wait();
+    worker.set_edits("");
+    worker.wait();
+    EXPECT_EQ(worker.progress().steps, 400U);
+    worker.set_edits(refused);
+    worker.seek(RunWorker::kToTheEnd);
+    worker.wait();
+    // Others later, while the run is on its way; and all of them taken back.
+    worker.set_edits(refused + "; slip 700");
+    worker.set_edits("slip 700; fix 800 1 2 0");
+    worker.wait();
+    expect_same_state(worker, *run_with(configuration, "slip 700; fix 800 1 2 0"));
+    worker.seek(300);
+    worker.wait();
+    worker.set_edits("");
+    worker.wait();
+    EXPECT_EQ(worker.progress().steps, 300U);
+    worker.run();
+    worker.wait();
+    expect_same_state(worker, *plain);
+    EXPECT_THROW(worker.set_edits("open 3"), ConfigError);
+    expect_same_state(worker, *plain);
+    // A run that failed by them is mended by others.
+    worker.set_edits("slip 999999");
+    worker.wait();
+    EXPECT_EQ(worker.progress().state, State::failed);
+    worker.set_edits("slip 700");
+    worker.wait();
+    EXPECT_EQ(worker.progress().state, State::finished);
+    expect_same_state(worker, *run_with(configuration, "slip 700"));
+    // On the way elsewhere it goes on to there; a pause is a pause.
+    worker.seek(500);
+    worker.set_edits("");
+    worker.wait();
+    EXPECT_EQ(worker.progress().steps, 500U);
+    EXPECT_EQ(worker.progress().state, State::paused);
+    for (int i = 0; i < 20; ++i) {
+        worker.set_edits(i % 2 == 0 ? refused : "");
+        worker.pause();
         worker.wait();
-        EXPECT_FALSE(worker.latest_snapshot()->foreseen) << algorithm;
-        expect_same_state(worker, *plain);
-        worker.set_edits(refused);
-        worker.wait();
-        // Of a change behind where the run has gone back to nothing is foreseen.
-        worker.set_edits("fix 800 1 2 0");
-        worker.seek(400);
-        worker.wait();
-        worker.set_edits("");
-        worker.wait();
-        EXPECT_EQ(worker.progress().steps, 400U);
-        worker.set_edits(refused);
-        worker.seek(RunWorker::kToTheEnd);
-        worker.wait();
-        // Others later, while the run is on its way; and all of them taken back.
-        worker.set_edits(refused + "; slip 700");
-        worker.set_edits("slip 700; fix 800 1 2 0");
-        worker.wait();
-        expect_same_state(worker, *run_with(configuration, "slip 700; fix 800 1 2 0"));
-        worker.seek(300);
-        worker.wait();
-        worker.set_edits("");
-        worker.wait();
-        EXPECT_EQ(worker.progress().steps, 300U);
-        worker.run();
-        worker.wait();
-        expect_same_state(worker, *plain);
-        EXPECT_THROW(worker.set_edits("open 3"), ConfigError);
-        expect_same_state(worker, *plain);
-        // A run that failed by them is mended by others.
-        worker.set_edits("slip 999999");
-        worker.wait();
-        EXPECT_EQ(worker.progress().state, State::failed);
-        worker.set_edits("slip 700");
-        worker.wait();
-        EXPECT_EQ(worker.progress().state, State::finished);
-        expect_same_state(worker, *run_with(configuration, "slip 700"));
-        // On the way elsewhere it goes on to there; a pause is a pause.
-        worker.seek(500);
-        worker.set_edits("");
-        worker.wait();
-        EXPECT_EQ(worker.progress().steps, 500U);
         EXPECT_EQ(worker.progress().state, State::paused);
-        for (int i = 0; i < 20; ++i) {
-            worker.set_edits(i % 2 == 0 ? refused : "");
-            worker.pause();
-            worker.wait();
-            EXPECT_EQ(worker.progress().state, State::paused);
-            EXPECT_LE(worker.progress().steps, 500U);
-        }
-        // What was wanted counts for a run that begins anew too.
-        worker.set_edits(refused);
-        worker.restart();
-        worker.run();
-        worker.wait();
-        expect_same_state(worker, *run_with(configuration, refused));
+        EXPECT_LE(worker.progress().steps, 500U);
     }
+    // What was wanted counts for a run that begins anew too.
+    worker.set_edits(refused);
+    worker.restart();
+    worker.run();
+    worker.wait();
+    expect_same_state(worker, *run_with(configuration, refused));
 }
+
+INSTANTIATE_TEST_SUITE_P(Algorithms, ChangesByHand,
+                         testing::Values("fastslam", "ekf-slam", "graph-slam"), in_one_word);
 
 TEST(RunWorker, TheLastOrderCounts) {
     const Configuracion configuration = small_tour();
