@@ -93,10 +93,14 @@ void BlockFactor::lay_out(std::span<const std::vector<Rank>> rows) {
     for (Rank first = 0; first < rows.size();) {
         Panel panel{first, at, 0, 0, rows_.size(), 0, numbers};
         Rank last = first;
-        // The next one has the same rows but itself: it is one of them, and there are no more.
+        // The next one has the same rows but itself: it is one of them, and there are no more. A
+        // panel keeps what is above its diagonal too, so it may not be of any width.
+        constexpr std::size_t kWidest = 64;
+        std::size_t wide = sizes_[first];
         while (!rows[last].empty() && rows[last].front() == last + 1 &&
-               rows[last].size() == rows[last + 1].size() + 1) {
-            ++last;
+               rows[last].size() == rows[last + 1].size() + 1 &&
+               wide + sizes_[last + 1] <= kWidest) {
+            wide += sizes_[++last];
         }
         for (; first <= last; ++first) {
             at_.push_back(at);
@@ -254,22 +258,21 @@ std::vector<Eigen::MatrixXd> BlockFactor::inverse_blocks() const {
     // Z_jj = 1 / D_j - sum_k Z_kj L_kj and Z_ij = -sum_k Z_ik L_kj, k over the entries of column j
     // of L. Every Z_ik asked for lies where L has an entry.
     std::vector<std::size_t> begins{0};  // of columns
-    std::vector<std::size_t> rows;
+    std::vector<std::uint32_t> rows;
     std::vector<double> l;
     for (const Panel& panel : panels_) {
         for (std::size_t c = 0; c < panel.wide; ++c) {
             each_below(panel, c, [&](std::size_t row, double value) {
-                rows.push_back(row);
+                rows.push_back(static_cast<std::uint32_t>(row));
                 l.push_back(value);
             });
             begins.push_back(rows.size());
         }
     }
-    constexpr auto kOutside = std::numeric_limits<std::size_t>::max();
     const auto size = static_cast<std::size_t>(d_.size());
     std::vector<double> z(l.size());
     std::vector<double> diagonal(size);
-    std::vector<std::size_t> among(size, kOutside);  // place among j's entries
+    std::vector<std::size_t> among(size, kNowhere);  // place among j's entries
     std::vector<double> sums;
     for (std::size_t j = size; j-- > 0;) {
         const std::size_t first = begins[j];
@@ -282,7 +285,7 @@ std::vector<Eigen::MatrixXd> BlockFactor::inverse_blocks() const {
             sums[a] += diagonal[k] * l_a;
             for (std::size_t i = begins[k]; i < begins[k + 1]; ++i) {
                 const std::size_t b = among[rows[i]];
-                if (b == kOutside) continue;
+                if (b == kNowhere) continue;
                 sums[b] += z[i] * l_a;
                 sums[a] += z[i] * l[first + b];
             }
@@ -291,7 +294,7 @@ std::vector<Eigen::MatrixXd> BlockFactor::inverse_blocks() const {
         for (std::size_t a = 0; a < entries; ++a) {
             z[first + a] = -sums[a];
             own += sums[a] * l[first + a];
-            among[rows[first + a]] = kOutside;
+            among[rows[first + a]] = kNowhere;
         }
         diagonal[j] = own;
     }

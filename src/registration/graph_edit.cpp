@@ -137,15 +137,10 @@ std::string text_of(const EditedScan& scan) {
                           : fmt::format("{}@{}~{:08x}", scan.scan + 1, *scan.stamp_s, scan.mark);
 }
 
-/// Of two changes only one can be so.
+/// Of poses, which have no order, those of one pair too.
 bool contradict(const GraphEdit& a, const GraphEdit& b, const Origin& of) {
-    if (a.of_two() && b.of_two()) {
-        return (a.scan.scan == b.scan.scan && a.earlier.scan == b.earlier.scan) ||
-               (!of.of_scans() && a.scan.scan == b.earlier.scan && a.earlier.scan == b.scan.scan);
-    }
-    // A scan sees several walls.
-    return a.kind == b.kind && a.scan.scan == b.scan.scan && a.bearing == b.bearing &&
-           a.seen == b.seen;
+    return contradict(a, b) || (!of.of_scans() && a.of_two() && b.of_two() &&
+                                a.scan.scan == b.earlier.scan && a.earlier.scan == b.scan.scan);
 }
 
 /// Of scans, which have an order, begin where the map does and see walls.
@@ -259,6 +254,14 @@ std::string text_of(std::span<const GraphEdit> edits) {
 
 void check_graph_edits(std::span<const GraphEdit> edits) {
     check(edits, {});
+}
+
+bool contradict(const GraphEdit& a, const GraphEdit& b) {
+    if (a.of_two() && b.of_two())
+        return a.scan.scan == b.scan.scan && a.earlier.scan == b.earlier.scan;
+    // A scan sees several walls.
+    return a.kind == b.kind && a.scan.scan == b.scan.scan && a.bearing == b.bearing &&
+           a.seen == b.seen;
 }
 
 bool same_change(const GraphEdit& a, const GraphEdit& b) {

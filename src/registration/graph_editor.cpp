@@ -18,18 +18,21 @@ bool makes_key(const GraphEdit& edit, std::uint64_t scan) {
            (edit.scan.scan == scan || (edit.of_two() && edit.earlier.scan == scan));
 }
 
-/// Whether the stretch that was refused from a scan on passes the place that an edit names.
+/// Whether the stretch that was refused from a scan on, which begins there, passes the place that
+/// an edit names.
 bool passes(std::uint64_t from, const GraphEdit& edit, const KeyGraph& graph,
             std::span<const LoopRecord> refused) {
     const Joint named = graph.joint_at(edit.scan.scan, edit.earlier.scan);
     std::optional<Joint> nearest;
+    double begin_m = named.later_m + Joint::kBeside;
     const auto away_m = [&](const Joint& joint) { return std::abs(joint.later_m - named.later_m); };
     for (const LoopRecord& loop : refused) {
         if (loop.refused_from != from) continue;
         const Joint joint = graph.joint_at(loop.scan, loop.earlier);
+        begin_m = std::min(begin_m, joint.later_m);
         if (!nearest || away_m(joint) < away_m(*nearest)) nearest = joint;
     }
-    return nearest && nearest->is_near(named);
+    return nearest && named.later_m >= begin_m - Joint::kBeside && nearest->is_near(named);
 }
 
 }  // namespace

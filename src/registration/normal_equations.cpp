@@ -19,6 +19,7 @@ std::size_t NormalEquations::add_variable(int size) {
     variables_.push_back({size, size_, 0, 0});
     size_ += size;
     factor_.reset();
+    factored_ = false;
     return variables_.size() - 1;
 }
 
@@ -130,6 +131,7 @@ Eigen::VectorXd NormalEquations::reordered(const Eigen::VectorXd& as_added) cons
 }
 
 bool NormalEquations::solve() {
+    if (factored_) return solve_again();
     if (!factor_) lay_out();
     factored_ = factor_->factorize();
     return solve_again();

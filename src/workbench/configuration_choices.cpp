@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,14 +20,16 @@
 namespace hitos {
 namespace {
 
-/// The map is made of its run's own changes too. Those of a file come first: they are numbered as
-/// they are there.
+/// The map is made of its run's own changes too. Those of a file come first, numbered as they are
+/// there, and take the place of what they contradict.
 void add_those_of_map(Configuracion& configuration) {
     if (configuration.source.map.empty()) return;
     std::vector<GraphEdit> all = parse_graph_edits(configuration.registration.edits);
     const std::string of_map = configuration_to_go_on(configuration.source.map).registration.edits;
+    const std::size_t of_file = all.size();
     for (const GraphEdit& edit : parse_graph_edits(of_map)) {
-        if (!has_change(all, edit)) all.push_back(edit);
+        const auto other = [&](const GraphEdit& one) { return contradict(one, edit); };
+        if (std::ranges::none_of(std::span(all).first(of_file), other)) all.push_back(edit);
     }
     configuration.registration.edits = text_of(all);
 }

@@ -552,6 +552,7 @@ void RunsTest::a_map_is_gone_on_with() {
         ArchivoConfiguracion::read(Fixture::source_file("config/recorded.cfg").toStdString());
     mapped.source.file = Fixture::source_file("data/bigloop.log.gz").toStdString();
     mapped.filter.particles = 3;
+    mapped.registration.edits = "slip 50";
     f.session.set_configuration(mapped);
     f.run_to_end();
     f.save_results("mapped");
@@ -592,7 +593,7 @@ void RunsTest::a_map_is_gone_on_with() {
     QCOMPARE(f.prompts.warnings.size(), 1);
     QVERIFY2(f.prompts.warnings.takeFirst().contains("\"slip 12\" is of the map of"),
              "the map stays as it is");
-    QVERIFY(f.session.configuration().registration.edits.empty());
+    QCOMPARE(f.session.configuration().registration.edits, std::string("slip 50"));
 
     // The command line has the same.
     CommandLine line;
@@ -603,6 +604,7 @@ void RunsTest::a_map_is_gone_on_with() {
     QVERIFY(localised.source.hold);
     QCOMPARE(localised.filter.particles, 3);
     QCOMPARE(localised.source.map, line.values.map);
+    QCOMPARE(localised.registration.edits, std::string("slip 50"));
     // A folder of nothing is none.
     f.prompts.folders = {f.path("user")};
     f.trigger("action_go_on");

@@ -152,6 +152,21 @@ TEST_F(SecondTourTest, ChangesByHandAreAddedToThoseThatTheMapHas) {
     file("own.toml", "[registration]\nedits = \"slip 12@1234567\"\n");
     EXPECT_THAT(run("second.toml", "out", mended + " --edits " + path("own.toml")).output,
                 HasSubstr("change 1 is of another tour"));
+    // Of the same scans only one can be so: the file's. And plain lines will do.
+    file("fix.toml", "[registration]\nedits = \"slip 12; fix 20 0.5 0.1 0\"\n");
+    ASSERT_EQ(
+        run("first.toml", "fixed", "--preset recorded" + few_ + " --edits " + path("fix.toml"))
+            .status,
+        0);
+    file("own.txt", "fix 20 0.6 0.1 0\n");
+    const test::Outcome other =
+        run("second.toml", "out", " --map " + path("fixed") + " --edits " + path("own.txt"));
+    ASSERT_EQ(other.status, 0) << other.output;
+    EXPECT_THAT(other.output, HasSubstr("changes by hand from no. 2 on are those of the map of "));
+    const std::string taken = content("out/edits.toml");
+    EXPECT_THAT(taken, HasSubstr(" 0.6 0.1 0"));
+    EXPECT_THAT(taken, HasSubstr("slip 12"));
+    EXPECT_THAT(taken, Not(HasSubstr(" 0.5 0.1 0")));
 }
 
 TEST_F(SecondTourTest, ChangesOfAMapThatIsHeldAreRefused) {

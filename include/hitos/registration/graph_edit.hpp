@@ -96,6 +96,8 @@ PlacedEdits parse_vertex_edits(std::string_view text, const std::string& name);
 /// The error that the change of that number, from 1, is wrong.
 FormatError wrong_edit(const PlacedEdits& edits, std::size_t number, const Message& why);
 
+/// Whether only one of two changes of scans can be so.
+bool contradict(const GraphEdit& a, const GraphEdit& b);
 /// Whether they do the same: but for stamps, marks and comments they are equal.
 bool same_change(const GraphEdit& a, const GraphEdit& b);
 /// Whether one of them does the same.

@@ -53,7 +53,7 @@ class NormalEquations {
     /// Whether the factor of what was added since the first begin() has at most so many numbers,
     /// each of 8 bytes. Before the first solve().
     bool factor_fits(std::uint64_t most);
-    /// Solves; false where H is not positive definite.
+    /// Solves; false where H is not positive definite. H is factored once after begin().
     bool solve();
     /// Solves for the sums of this iteration with H as it was at the last solve(), which costs a
     /// small part of it: where H hardly changes, steps become ever shorter all the same. False

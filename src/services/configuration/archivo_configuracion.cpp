@@ -298,9 +298,16 @@ Configuracion ArchivoConfiguracion::parse(std::string_view text, const std::stri
 }
 
 std::string ArchivoConfiguracion::read_edits(const std::filesystem::path& path) {
-    Configuracion configuration =
-        parse(input::read_text(path, input::kLargestSettings), path.string());
-    std::string edits = std::exchange(configuration.registration.edits, {});
+    const std::string text = input::read_text(path, input::kLargestSettings);
+    // Line by line, as those of a graph, else as a configuration.
+    const bool plain = text.find('=') == std::string::npos;
+    Configuracion configuration = plain ? Configuracion() : parse(text, path.string());
+    std::string edits = plain ? text : std::exchange(configuration.registration.edits, {});
+    try {
+        parse_graph_edits(edits);
+    } catch (const ConfigError& wrong) {
+        throw FormatError(path.string(), 0, wrong.problem());
+    }
     const Configuracion defaults;
     for (const ConfigParameter& parameter : parameters()) {
         if (parameter.get(configuration) == parameter.get(defaults)) continue;

@@ -134,13 +134,13 @@ void warn_of_odometry(const RunEvidence& run, std::vector<Advice>& warnings) {
 }
 
 /// "151", "151, 152, 312 … (+4)".
-std::string counted(const std::vector<std::uint64_t>& scans) {
-    constexpr std::size_t kMost = 3;
-    const std::span first = std::span(scans).first(std::min(kMost, scans.size()));
+std::string counted(const std::vector<std::uint64_t>& scans, std::size_t most = 3) {
+    const std::size_t some = scans.size() <= most + 1 ? scans.size() : most;
+    const std::span first = std::span(scans).first(some);
     std::vector<std::uint64_t> numbers;
     for (const std::uint64_t scan : first) numbers.push_back(scan + 1);  // counted as people do
     std::string names = fmt::format("{}", fmt::join(numbers, ", "));
-    if (scans.size() > kMost) names += fmt::format(" … (+{})", scans.size() - kMost);
+    if (scans.size() > some) names += fmt::format(" … (+{})", scans.size() - some);
     return names;
 }
 
@@ -260,7 +260,7 @@ void warn_of_unmet(const RegistrationFigures& figures, std::vector<Advice>& warn
                        "A loop that is refused by hand takes its whole stretch with it, and so "
                        "what other refusals name (no. %1 of the list): those behind the arrow "
                        "have met nothing to change, and change nothing."),
-            fmt::format("{} → {}", by + 1, counted(changes)));
+            fmt::format("{} → {}", by + 1, counted(changes, 12)));
     }
     if (unmet.empty()) return;
     warn_of_changes(
@@ -269,7 +269,7 @@ void warn_of_unmet(const RegistrationFigures& figures, std::vector<Advice>& warn
                    "Changes by hand have met nothing to change (no. %1 of the list): no loop was "
                    "found there, as where something else joins the passages, or the tour has not "
                    "come to those scans."),
-        counted(unmet));
+        counted(unmet, 12));
 }
 
 void warn_of_registration(const Registration& registration, const Trajectory& odometry,

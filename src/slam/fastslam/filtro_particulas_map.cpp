@@ -87,6 +87,7 @@ std::unique_ptr<SlamFilter> FiltroParticulas::clone() const {
     copy->maps_ = maps_;
     copy->selected_ = selected_;
     std::vector<PoseHistory::Node*> newest;
+    newest.reserve(particles_.size());
     for (Particula& particle : copy->particles_) newest.push_back(&particle.history);
     copy->history_.assign_held(history_, newest);
     copy->best_ = best_;

@@ -111,7 +111,7 @@ class SharedPool {
         }
     }
 
-    /// What was never used has no memory yet.
+    /// About: pieces that were never used have no memory yet.
     std::size_t bytes() const { return next_ * kBytes; }
     /// Pieces in use, and those that are ready to be.
     std::size_t size() const { return next_; }

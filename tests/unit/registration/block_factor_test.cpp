@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cmath>
+#include <memory>
 #include <random>
 
 #include "hitos/base/vectorised.hpp"

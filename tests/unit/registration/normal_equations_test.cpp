@@ -132,7 +132,16 @@ TEST(NormalEquations, SolvesAgainWhereTheMatrixStays) {
                   1e-8)
             << "variable " << i;
     }
+    ASSERT_TRUE(system.equations.solve());  // the factor is there
+    for (std::size_t i = 0; i < system.at.size(); ++i) {
+        EXPECT_LT((system.equations.step(i) - step.segment(system.at[i], system.sizes[i])).norm(),
+                  1e-8);
+    }
     system.equations.begin();  // sums of another matrix
+    EXPECT_FALSE(system.equations.solve_again());
+    system.tie_all(12, 4);
+    ASSERT_TRUE(system.equations.solve());
+    system.equations.add_variable(1);
     EXPECT_FALSE(system.equations.solve_again());
 }
 

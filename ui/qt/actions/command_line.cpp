@@ -181,9 +181,10 @@ Configuracion starting_configuration(const CommandLine& line, const UserFiles& f
     }
     if (!named.isEmpty() && !named_configuration && !named_results && !named_graph) {
         const std::string source = source_named(line.open);
-        // What was set is of another recording; what is named counts.
-        if (line.config.empty() && line.preset.empty() && configuration.source.file != source)
-            forget_recording(configuration);
+        // What was set is of another recording; what is named counts. A map's comes with it.
+        const bool chosen =
+            !line.config.empty() || !line.preset.empty() || !line.values.map.empty();
+        if (!chosen && configuration.source.file != source) forget_recording(configuration);
         configuration.source.file = source;
         configuration.source.format = kAutoFormat;
     }

@@ -7627,7 +7627,7 @@
     </message>
     <message>
         <source>Take back</source>
-        <translation>Retirar el cambio</translation>
+        <translation>Retirar</translation>
     </message>
     <message>
         <source>Does not change this place by hand any more</source>

@@ -69,12 +69,16 @@ class RunCheckpoints {
         std::shared_ptr<const RunCheckpoint> checkpoint;
         std::size_t bytes;
     };
-    static constexpr std::uint64_t kFirstSpacing = 16;
+    using ByScan = std::map<std::uint64_t, Kept>;  // by scans taken
+    static constexpr std::uint64_t kFirstSpacing = 8;
+
+    /// The first that does not stay where they stand twice as far apart.
+    ByScan::const_iterator first_odd() const;
 
     std::size_t most_bytes_;
     std::uint64_t spacing_ = kFirstSpacing;
     std::size_t bytes_ = 0;
-    std::map<std::uint64_t, Kept> kept_;  // by scans taken
+    ByScan kept_;
 };
 
 }  // namespace hitos

@@ -107,6 +107,17 @@ TEST(ArchivoConfiguracion, TextReadsBackToTheLastBit) {
     }
 }
 
+TEST(ArchivoConfiguracion, ChangesByHandAreReadFromPlainLinesToo) {
+    const TempFolder folder;
+    const std::string lines = "# of a friend\nslip 55  # wet [floor]\nrefuse 60 3\n";
+    const auto file = folder.put("edits.txt", lines);
+    EXPECT_EQ(text_of(parse_graph_edits(ArchivoConfiguracion::read_edits(file))),
+              text_of(parse_graph_edits(lines)));
+    const auto wrong = folder.put("wrong.txt", "slip 55\nopen 3\n");
+    EXPECT_THAT(message_of<FormatError>([&] { ArchivoConfiguracion::read_edits(wrong); }),
+                testing::AllOf(HasSubstr("wrong.txt: change 2"), HasSubstr("open")));
+}
+
 TEST(ArchivoConfiguracion, ChangesByHandReadBackWhateverTheirCommentsHold) {
     const TempFolder folder;
     for (const char* comment : {"plain", R"(a """ b)", R"(C:\temp\new)", R"(ends \)", "tab\there",
