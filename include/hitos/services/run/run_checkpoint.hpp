@@ -44,8 +44,8 @@ void check_same(const std::vector<StatePart>& expected, const std::vector<StateP
 /// together stay within a limit of memory and of number.
 class RunCheckpoints {
   public:
-    static constexpr std::size_t kMostBytes = std::size_t{180} << 20;
-    static constexpr std::size_t kMost = 80;
+    static constexpr std::size_t kMostBytes = std::size_t{160} << 20;
+    static constexpr std::size_t kMost = 56;
 
     explicit RunCheckpoints(std::size_t most_bytes = kMostBytes) : most_bytes_(most_bytes) {}
 
