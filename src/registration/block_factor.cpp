@@ -79,7 +79,7 @@ BlockFactor::BlockFactor(std::vector<std::uint32_t> sizes, std::span<const Block
     }
     for (std::vector<Rank>& below : rows) {
         std::ranges::sort(below);
-        below.erase(std::ranges::unique(below).begin(), below.end());
+        below.erase(std::unique(below.begin(), below.end()), below.end());
         if (below.empty()) continue;
         std::vector<Rank>& up = rows[below.front()];
         up.insert(up.end(), below.begin() + 1, below.end());
