@@ -49,7 +49,7 @@ HITOS_INLINE void multiply(const Rows& rows, const double* d, std::size_t wide,
     }
 }
 
-/// Makes the first `wide` columns of a panel those of L. False where a number of D is not above 0.
+/// Makes the `wide` columns of a panel those of L. False where a number of D is not above 0.
 HITOS_INLINE bool eliminate(double* panel, std::size_t height, std::size_t wide, double* d) {
     for (std::size_t c = 0; c < wide; ++c) {
         double* const column = panel + c * height;

@@ -167,6 +167,11 @@ TEST_F(SecondTourTest, ChangesByHandAreAddedToThoseThatTheMapHas) {
     EXPECT_THAT(taken, HasSubstr(" 0.6 0.1 0"));
     EXPECT_THAT(taken, HasSubstr("slip 12"));
     EXPECT_THAT(taken, Not(HasSubstr(" 0.5 0.1 0")));
+    // From standard input, which can be read once, too.
+    const test::Outcome piped =
+        run("second.toml", "piped", " --map " + path("fixed") + " --edits - < " + path("own.txt"));
+    ASSERT_EQ(piped.status, 0) << piped.output;
+    EXPECT_EQ(content("piped/edits.toml"), taken);
 }
 
 TEST_F(SecondTourTest, ChangesOfAMapThatIsHeldAreRefused) {

@@ -100,18 +100,15 @@ void tell_other_parameters(const Configuracion& configuration) {
                on_one_line(configuration.source.map), fmt::join(changed, ", "));
 }
 
-/// Errors and warnings number them by the list, in which those of the map come behind those of a
-/// file.
-void tell_changes_of_map(const Configuracion& configuration, const std::string& file) {
+/// Errors and warnings number them by the list, in which those of the map come last.
+void tell_changes_of_map(const Configuracion& configuration) {
     if (configuration.source.map.empty()) return;
-    const std::string& all = configuration.registration.edits;
-    std::size_t first = 0;
-    if (!file.empty()) {
-        first = parse_graph_edits(ArchivoConfiguracion::read_edits(file)).size();
-    } else if (all != configuration_to_go_on(configuration.source.map).registration.edits) {
-        return;  // others have taken their place
-    }
-    if (first == parse_graph_edits(all).size()) return;
+    const std::vector<GraphEdit> all = parse_graph_edits(configuration.registration.edits);
+    const std::vector<GraphEdit> of_map =
+        parse_graph_edits(configuration_to_go_on(configuration.source.map).registration.edits);
+    std::size_t first = all.size();
+    while (first > 0 && has_change(of_map, all[first - 1])) --first;
+    if (first == all.size()) return;
     fmt::print(stderr, "changes by hand from no. {} on are those of the map of {}\n", first + 1,
                on_one_line(configuration.source.map));
 }
@@ -236,7 +233,7 @@ void run(const RunOptions& options, std::optional<LiveRun>& live) {
         configuration.source.read.growth = opening.growth;
     }
     tell_other_parameters(configuration);
-    tell_changes_of_map(configuration, options.configuration.values.edits);
+    tell_changes_of_map(configuration);
     check_particle(options.grid_of, configuration);
     const std::vector<std::string> also = chosen_outputs(options.write, "--write");
     References references = references_named(options.reference, options.reference_trajectory);

@@ -303,11 +303,6 @@ std::string ArchivoConfiguracion::read_edits(const std::filesystem::path& path) 
     const bool plain = text.find('=') == std::string::npos;
     Configuracion configuration = plain ? Configuracion() : parse(text, path.string());
     std::string edits = plain ? text : std::exchange(configuration.registration.edits, {});
-    try {
-        parse_graph_edits(edits);
-    } catch (const ConfigError& wrong) {
-        throw FormatError(path.string(), 0, wrong.problem());
-    }
     const Configuracion defaults;
     for (const ConfigParameter& parameter : parameters()) {
         if (parameter.get(configuration) == parameter.get(defaults)) continue;
@@ -317,13 +312,14 @@ std::string ArchivoConfiguracion::read_edits(const std::filesystem::path& path) 
                                      "%2 alone: a whole configuration is read by --config"),
                           parameter.key, kGraphEditsKey);
     }
-    if (parse_graph_edits(edits).empty()) {
-        throw FormatError(
-            path.string(), 0,
-            HITOS_TEXT("Errors", "has no change by hand; expected %1 with at least one"),
-            kGraphEditsKey);
+    try {
+        if (!parse_graph_edits(edits).empty()) return edits;
+    } catch (const ConfigError& wrong) {
+        throw FormatError(path.string(), 0, wrong.problem());
     }
-    return edits;
+    throw FormatError(path.string(), 0,
+                      HITOS_TEXT("Errors", "has no change by hand; expected %1 with at least one"),
+                      kGraphEditsKey);
 }
 
 std::string ArchivoConfiguracion::edits_text(const std::string& title, std::string_view edits) {

@@ -24,9 +24,7 @@ struct LandmarkTable {
     std::vector<typename List::Pages> next_pages;
 
     LandmarkTable() = default;
-    LandmarkTable(const LandmarkTable& other) : rows(other.rows), pages(other.pages) {
-        pools.assign_held(other.pools, rows, pages);
-    }
+    LandmarkTable(const LandmarkTable& other) { *this = other; }
     LandmarkTable& operator=(const LandmarkTable& other) {
         if (this == &other) return *this;
         rows = other.rows;
