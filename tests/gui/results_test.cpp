@@ -170,6 +170,23 @@ void RunTest::a_run_that_was_over_is_saved_as_it_was_then() {
     QTRY_VERIFY(!f.window->result_actions().writing());
 }
 
+void RunTest::a_run_at_its_last_scan_is_saved_as_it_ends() {
+    Fixture f(true, 20);
+    f.run_to_end();
+    const quint64 scans = f.steps();
+    f.session.restart();
+    f.session.seek(scans);
+    QTRY_VERIFY(f.steps() == scans && f.shows_everything());
+    QVERIFY(f.session.progress().state == Progress::State::paused);
+    f.prompts.numbers = {1};
+    f.prompts.saves = {f.path("end")};
+    f.trigger("action_save_results");
+    QTRY_VERIFY(QFile::exists(f.path("end/summary.json")));
+    QVERIFY(f.prompts.offered.back().contains("at its end"));
+    QVERIFY(Fixture::read(f.path("end/summary.json")).contains("\"finished\": true"));
+    QTRY_VERIFY(!f.window->result_actions().writing());
+}
+
 void RunTest::all_results_are_those_of_the_command_line() {
     Fixture f(true, 20);
     f.run_to_end();

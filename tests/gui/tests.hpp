@@ -242,6 +242,7 @@ class RunTest : public QObject {
     void the_map_is_saved_while_running();
     void what_is_saved_at_an_earlier_scan_is_asked_about();
     void a_run_that_was_over_is_saved_as_it_was_then();
+    void a_run_at_its_last_scan_is_saved_as_it_ends();
     void all_results_are_those_of_the_command_line();
     void all_results_of_a_world_are_those_of_the_command_line();
     void closing_waits_for_results_that_are_being_written();

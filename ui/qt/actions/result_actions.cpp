@@ -159,18 +159,25 @@ void ResultActions::save_map() {
     });
 }
 
+void ResultActions::set_total(std::optional<quint64> scans) {
+    total_ = scans;
+}
+
 /// Where the run has been further than it stands now the user says which of the two is meant. At
-/// its end its path is smoothed, which it is at no scan before.
+/// its end its path is smoothed, which it is at no scan before, not even at the last one.
 void ResultActions::at_chosen_scan(const std::function<void()>& save) {
     delete going_;
     const Progress now = session_.progress();
     const quint64 furthest = session_.worker()->figures_since(0).size();
-    const bool to_end = was_over_ && !session_.is_live() && now.state != Progress::State::finished;
+    const bool to_end = !session_.is_live() && now.state != Progress::State::finished &&
+                        (was_over_ || (total_ && now.steps >= *total_));
     if (now.state == Progress::State::running || (!to_end && now.steps >= furthest)) return save();
     const std::optional<int> chosen = prompts_.choice(
-        window_in_use(), tr("The run has been further"), tr("What to save:"),
+        window_in_use(),
+        to_end ? tr("The run is not at its end") : tr("The run has been further"),
+        tr("What to save:"),
         {tr("As it is now, at scan %1").arg(now.steps),
-         (to_end ? tr("As it was at its end, scan %1") : tr("As far as it came, at scan %1"))
+         (to_end ? tr("As it is at its end, scan %1") : tr("As far as it came, at scan %1"))
              .arg(furthest)});
     if (!chosen) return;
     if (*chosen == 0) return save();

@@ -38,6 +38,8 @@ class ResultActions final : public QObject {
     void view_odometry();
     /// The damaged lines of the log that were skipped so far, in a window of its own.
     void list_skipped();
+    /// How many scans the tour has; nothing while that is not known.
+    void set_total(std::optional<quint64> scans);
     void save_map();
     void save_map_of(int particle);
     /// As a TUM file.
@@ -82,6 +84,7 @@ class ResultActions final : public QObject {
     QPointer<MapWindow> odometry_;
     QPointer<MapWindow> particle_;
     bool was_over_ = false;   ///< the run has been at its end
+    std::optional<quint64> total_;
     QPointer<QTimer> going_;  ///< to the scan at which something is to be saved
     std::future<void> path_of_particle_;
     std::future<void> skipped_;

@@ -93,6 +93,7 @@ void MainWindow::make_parts() {
     connect(counter_, &LogCounter::counted, ui_->controls, &RunControls::set_total);
     connect(counter_, &LogCounter::timed, ui_->controls, &RunControls::set_duration);
     connect(counter_, &LogCounter::counted, status_, &StatusLine::set_total);
+    connect(counter_, &LogCounter::counted, results_, &ResultActions::set_total);
     connect(counter_, &LogCounter::doubted, status_, &StatusLine::show_doubts);
     connect(counter_, &LogCounter::doubted, ui_->hint, &HintBar::show_doubts);
     first_look_ = new FirstLook(session_, this);
