@@ -2,11 +2,14 @@
 // The loops of a run: listed, shown, chosen in the map, changed by hand.
 
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSpinBox>
 #include <algorithm>
 #include <cmath>
@@ -318,6 +321,41 @@ void InspectTest::what_is_wrong_with_changes_stands_below_them() {
     f.session.set_edits("slip 60; slip 100@1234567");
     QTRY_VERIFY_WITH_TIMEOUT(f.state() == Progress::State::failed && told->isVisible(), 60000);
     QVERIFY2(told->text().contains("change 2 is of another tour"), qPrintable(told->text()));
+}
+
+void InspectTest::a_narrow_panel_of_loops_says_all() {
+    Loops f;
+    f.window->resize(1024, 708);
+    f.run_with_dock();
+    f.session.set_edits("slip 60; slip 90; slip 120; refuse 200 3; refuse 240 4");
+    QTRY_VERIFY_WITH_TIMEOUT(f.at_rest() && f.session.of_run(), 60000);
+    auto* dock = f.window->findChild<QDockWidget*>("loops_dock");
+    f.window->resizeDocks({dock}, {1}, Qt::Horizontal);
+    const auto* area = f.dock().findChild<QScrollArea*>();
+    // What does not fit scrolls down.
+    QVERIFY(area != nullptr);
+    QTRY_VERIFY(area->verticalScrollBar()->maximum() > 0);
+    QCOMPARE(f.window->size(), QSize(1024, 708));
+    if (const QString folder = qEnvironmentVariable("HITOS_PICTURES"); !folder.isEmpty())
+        f.window->grab().save(folder + "/narrow.png");
+    QCOMPARE(area->horizontalScrollBar()->maximum(), 0);
+    const QWidget& content = *area->widget();
+    for (const auto* label : content.findChildren<QLabel*>()) {
+        if (!label->isVisible()) continue;
+        const QString told = QString("%1: %2 x %3: %4")
+                                 .arg(label->objectName())
+                                 .arg(label->width())
+                                 .arg(label->height())
+                                 .arg(label->text());
+        QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(told));
+    }
+    for (const auto* button : content.findChildren<QPushButton*>()) {
+        if (!button->isVisible()) continue;
+        const QRect place(button->mapTo(&content, QPoint()), button->size());
+        QVERIFY2(content.rect().contains(place) && button->width() >= button->sizeHint().width(),
+                 qPrintable(button->text()));
+    }
+    QVERIFY(f.dock().view().height() >= 120 && f.dock().table().height() >= 80);
 }
 
 void InspectTest::a_scan_is_fixed_where_somebody_says() {

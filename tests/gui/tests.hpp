@@ -346,6 +346,7 @@ class InspectTest : public QObject {
     void a_loop_that_nobody_found_is_proposed();
     void a_step_that_slipped_is_listed_and_taken_back();
     void what_is_wrong_with_changes_stands_below_them();
+    void a_narrow_panel_of_loops_says_all();
     void a_scan_is_fixed_where_somebody_says();
     void a_scan_is_anchored_to_a_drawing();
     void points_are_anchored_by_their_coordinates();

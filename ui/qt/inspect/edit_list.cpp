@@ -67,6 +67,8 @@ EditList::EditList(Session& session, QWidget* parent) : QWidget(parent), session
     list_ = new QListWidget(this);
     list_->setObjectName("graph_edits");
     list_->setAccessibleName(tr("Changes by hand"));
+    list_->setWordWrap(true);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setMaximumHeight(4 * fontMetrics().height());
     column->addWidget(list_);
     warnings_ = new QLabel(this);

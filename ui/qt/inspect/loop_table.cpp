@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -19,6 +20,7 @@
 #include "hitos/slam/filters.hpp"
 #include "look/flow_layout.hpp"
 #include "look/parameter_text.hpp"
+#include "look/screen_fit.hpp"
 #include "look/words_of.hpp"
 #include "loop_model.hpp"
 #include "loop_view.hpp"
@@ -85,13 +87,21 @@ LoopTable::LoopTable(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(new LoopModel(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 4, 4, 4);
-    there_ = new QWidget(this);
+    // Where the room is too low for all, nothing is squeezed but scrolled.
+    scroll_ = new QScrollArea(this);
+    scroll_->setWidgetResizable(true);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setFocusPolicy(Qt::NoFocus);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    there_ = new QWidget(scroll_);
+    scroll_->setWidget(there_);
     auto* inside = new QVBoxLayout(there_);
     inside->setContentsMargins(0, 0, 0, 0);
     inside->addWidget(made_bar(there_));
     auto* halves = new QSplitter(Qt::Vertical, there_);
     table_ = new FiguresTable(model_, halves);
     table_->setObjectName("loop_table");
+    table_->setMinimumHeight(80);
     table_->setAccessibleName(tr("Loops"));
     view_ = new LoopView(halves);
     view_->setObjectName("loop_view");
@@ -106,7 +116,7 @@ LoopTable::LoopTable(Session& session, QWidget* parent)
     connect(edits_, &EditList::edits_wanted, this, &LoopTable::edits_wanted);
     connect(edits_, &EditList::drawing_wanted, this, &LoopTable::drawing_wanted);
     connect(edits_, &EditList::drawing_read, this, &LoopTable::drawing_read);
-    column->addWidget(there_, 1);
+    column->addWidget(scroll_, 1);
     none_ = new QLabel(this);
     none_->setObjectName("no_loops");
     none_->setAlignment(Qt::AlignCenter);
@@ -383,9 +393,9 @@ void LoopTable::refresh() {
                               : tr("With these parameters scans are not registered, and no loops "
                                    "are looked for. The preset “Recorded tours” does both."));
     const bool redone =
-        !snapshot && there_->isVisible() && session_.progress().state == Progress::State::running;
+        !snapshot && scroll_->isVisible() && session_.progress().state == Progress::State::running;
     const bool there = (snapshot && !snapshot->keys.empty()) || redone;
-    there_->setVisible(there);
+    scroll_->setVisible(there);
     none_->setVisible(!there);
     for (QSpinBox* number : {scan_, earlier_}) {
         const QSignalBlocker quiet(number);
@@ -395,6 +405,7 @@ void LoopTable::refresh() {
     take_loops();
     edits_->refresh();
     show_chosen();
+    scroll_down_only(*scroll_);
 }
 
 void LoopTable::show_chosen() {

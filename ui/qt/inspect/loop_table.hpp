@@ -19,6 +19,7 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QSpinBox;
 
 namespace hitos::window {
@@ -87,6 +88,7 @@ class LoopTable final : public QWidget {
     FiguresTable* table_;
     QLabel* reason_;
     QLabel* none_;  // instead of all, where there are none
+    QScrollArea* scroll_;
     QWidget* there_;
     QSpinBox* scan_;
     QSpinBox* earlier_;

@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QWidget>
 #include <algorithm>
+#include <utility>
 
 namespace hitos::window {
 namespace {
@@ -72,19 +73,29 @@ void FlowLayout::setGeometry(const QRect& place) {
 
 int FlowLayout::arranged(const QRect& place, bool move) const {
     QPoint at = place.topLeft();
-    int line = 0;
+    int height = 0;
+    std::vector<std::pair<QLayoutItem*, QRect>> line;
+    const auto end_line = [&] {
+        for (auto& [item, room] : line) {
+            // In the middle of the line, so that what is written stands on one height.
+            if (move) item->setGeometry(room.translated(0, (height - room.height()) / 2));
+        }
+        line.clear();
+    };
     for (QLayoutItem* item : items_) {
         if (item->isEmpty()) continue;  // hidden
         const QSize size = item->sizeHint();
         if (at.x() > place.left() && at.x() + size.width() > place.right() + 1) {
-            at = QPoint(place.left(), at.y() + line + spacing());
-            line = 0;
+            end_line();
+            at = QPoint(place.left(), at.y() + height + spacing());
+            height = 0;
         }
-        if (move) item->setGeometry(QRect(at, size));
+        line.emplace_back(item, QRect(at, size));
         at.rx() += size.width() + spacing();
-        line = std::max(line, size.height());
+        height = std::max(height, size.height());
     }
-    return at.y() + line - place.top();
+    end_line();
+    return at.y() + height - place.top();
 }
 
 }  // namespace hitos::window
