@@ -9,6 +9,7 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/services/drawing/gnuplot.hpp"
+#include "json_input.hpp"
 
 namespace hitos::study {
 namespace {
