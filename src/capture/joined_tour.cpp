@@ -91,11 +91,7 @@ class JoinedTour final : public TourReader {
     std::string name() const override { return second_->name(); }
     std::string format() const override { return second_->format(); }
     ReadOptions options() const override { return second_->options(); }
-    std::vector<TourFinding> findings() const override {
-        std::vector<TourFinding> findings = first_->findings();
-        for (TourFinding& finding : second_->findings()) findings.push_back(std::move(finding));
-        return findings;
-    }
+    std::vector<TourFinding> findings() const override { return second_->findings(); }
 
   private:
     void check_first() const {

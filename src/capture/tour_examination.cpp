@@ -115,6 +115,9 @@ TourExamination::View TourExamination::view_of(const Scan& scan) const {
 }
 
 void TourExamination::note(const Scan& scan) {
+    // Of a map's tour it was said when that was mapped, and nothing joins the two.
+    if (scan.begins_tour && scans_ > 0 && scan.time_s > last_scan_s_)
+        *this = TourExamination(std::move(read_));
     note_leap(scan);
     if (scans_ > 0 && scan.time_s <= last_scan_s_) {
         // A tour that is read again has the same lines again.

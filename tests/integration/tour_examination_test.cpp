@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hitos/base/error.hpp"
+#include "hitos/capture/joined_tour.hpp"
 #include "hitos/capture/tour_summary.hpp"
 #include "hitos/features/control.hpp"
 #include "hitos/registration/scan_odometry.hpp"
@@ -306,6 +307,23 @@ TEST(TourExamination, NothingIsSaidOfRealTours) {
     for (const fs::path& log : recordings("ros", ".bag")) tours.push_back(log);
     if (tours.empty()) GTEST_SKIP() << "no recordings in " << kShared;
     for (const fs::path& tour : tours) EXPECT_EQ(read(tour.string()).said(), "") << tour;
+}
+
+/// It begins anywhere in the map, which is no step of its odometry.
+TEST(TourExamination, ATourBehindAnotherIsExaminedAlone) {
+    const auto bigloop = [](double odometry_scale) {
+        SourceParams params;
+        params.file = (fs::path(HITOS_SOURCE_DIR) / "data/bigloop.log.gz").string();
+        params.read.odometry_scale = odometry_scale;
+        return open_tour(params);
+    };
+    for (const double of_map : {1.0, 1.3}) {
+        const auto both = make_joined_tour({bigloop(of_map)}, bigloop(1.0));
+        for (const TourFinding& finding : inspect_tour(*both).findings)
+            ADD_FAILURE() << of_map << ": " << finding.what.english();
+    }
+    const auto both = make_joined_tour({bigloop(1.0)}, bigloop(1.3));
+    EXPECT_FALSE(inspect_tour(*both).findings.empty());
 }
 
 TEST(TourExamination, TellsWhatIsWrongWithRecordingsFromElsewhere) {

@@ -24,7 +24,7 @@ struct FirstTour {
 
 /// The first tour's scans and odometry, then the second's, whose first scan says how it begins
 /// (Scan::begins_tour). Stamps go on: where the second's begin before the first's are over, all of
-/// them are put later by whole seconds. Messages name the second tour, findings are of both, and no
+/// them are put later by whole seconds. Messages name the second tour, findings are its own, and no
 /// truth is known. Reading throws FileError where the first tour has not as many scans as its run
 /// had, and FormatError where the second has none.
 std::unique_ptr<TourReader> make_joined_tour(FirstTour first, std::unique_ptr<TourReader> second,

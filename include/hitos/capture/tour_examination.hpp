@@ -25,7 +25,8 @@ struct LengthUnit;
 /// odometry puts it; then whether it would lie better if the scans were of another time, or the
 /// laser were mounted otherwise. Of the longest pauses too it keeps the scans before and after:
 /// those of one place, where the odometry says another, tell of a driver that began anew meanwhile.
-/// It takes some megabytes at the most, however long the tour is.
+/// Of a tour behind another one (Scan::begins_tour) it begins anew. It takes some megabytes at the
+/// most, however long the tour is.
 class TourExamination {
   public:
     /// `read`: how the tour is read, which what is advised comes on top of.
