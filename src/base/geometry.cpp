@@ -59,4 +59,13 @@ Twist twist_between(const Pose& pose_start_end, double seconds) {
     return {forward / seconds, left / seconds, pose_start_end.theta / seconds};
 }
 
+std::vector<std::vector<Point2>> lines_of(const Trajectory& path) {
+    std::vector<std::vector<Point2>> lines;
+    for (const StampedPose& stamped : path) {
+        if (lines.empty() || stamped.begins) lines.emplace_back();
+        lines.back().push_back({stamped.pose.x, stamped.pose.y});
+    }
+    return lines;
+}
+
 }  // namespace hitos

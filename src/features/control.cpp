@@ -51,11 +51,11 @@ void ControlTrack::controls_until(const Scan& scan, std::vector<Control>& out) {
     }
 }
 
-void OdometryPath::add(double time_s, std::span<const Control> controls) {
+void OdometryPath::add(double time_s, std::span<const Control> controls, bool begins) {
     for (const Control& control : controls) {
         pose_ = compose(pose_, displacement(control.twist, control.duration_s));
     }
-    trajectory_.push_back({time_s, pose_});
+    trajectory_.push_back({time_s, pose_, begins});
 }
 
 }  // namespace hitos

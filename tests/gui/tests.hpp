@@ -289,6 +289,7 @@ class ViewTest : public QObject {
     void the_legend_names_and_switches_what_is_drawn();
     void in_the_dark_free_and_unknown_are_far_apart();
     void a_view_is_shown_alone_or_above_the_other();
+    void no_way_leads_from_one_tour_to_the_next();
     void a_view_is_saved_as_jpg_and_png();
     void pictures_are_written_as_shapes_too();
     void a_picture_goes_to_the_clipboard();

@@ -14,6 +14,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QPointer>
 #include <QPushButton>
 #include <QToolButton>
@@ -26,6 +27,7 @@
 #include "hitos/services/drawing/picture_file.hpp"
 #include "look/theme.hpp"
 #include "tests.hpp"
+#include "views/canvas_paint.hpp"
 #include "views/grid_layer.hpp"
 #include "views/plots.hpp"
 
@@ -81,6 +83,23 @@ void ViewTest::in_the_dark_free_and_unknown_are_far_apart() {
     const int shade = shade_of(kUnknownGrey, true);
     QVERIFY(counts[qRgb(shade, shade, shade)] > seen.width());
     QVERIFY(counts[qRgb(kUnknownGrey, kUnknownGrey, kUnknownGrey)] < seen.width() / 10);
+}
+
+void ViewTest::no_way_leads_from_one_tour_to_the_next() {
+    QImage paper(100, 100, QImage::Format_RGB32);
+    paper.fill(Qt::white);
+    Trajectory path{{0.0, {10.0, 20.0, 0.0}},
+                    {1.0, {10.0, 80.0, 0.0}},
+                    {2.0, {90.0, 80.0, 0.0}, true},
+                    {3.0, {90.0, 20.0, 0.0}}};
+    const Scene scene{QTransform(), paper.size(), 1.0, light_colours(), false};
+    const auto drawn = [&](int x, int y) { return paper.pixelColor(x, y) != QColor(Qt::white); };
+    QPainter painter(&paper);
+    draw_path(painter, scene, path, QPen(Qt::red, 3.0));
+    QVERIFY(drawn(10, 50) && drawn(90, 50) && !drawn(50, 80));
+    path[2].begins = false;
+    draw_path(painter, scene, path, QPen(Qt::red, 3.0));
+    QVERIFY(drawn(50, 80));
 }
 
 void ViewTest::a_view_is_saved_as_jpg_and_png() {

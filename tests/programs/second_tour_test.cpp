@@ -2,7 +2,9 @@
 // hitos-cli: a tour that goes on with the map of an earlier run, or is localised in it.
 #include <gmock/gmock.h>
 
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <string>
 
 #include "program.hpp"
@@ -103,6 +105,14 @@ TEST_F(SecondTourTest, GoesOnWithTheMap) {
     const json summary = summary_of("out");
     EXPECT_GT(summary["scans"], summary_of("first")["scans"].get<int>() + 50);
     EXPECT_THAT(content("out/config.cfg"), HasSubstr("map = \"" + path("first")));
+    // Each tour has a way of its own, none leads from the first one's end to the second's begin.
+    const auto ways = [this](const std::string& file) {
+        const std::string drawing = content(file);
+        const std::regex way("LWPOLYLINE\\s+5\\s+\\w+\\s+100\\s+AcDbEntity\\s+8\\s+PATH\\s");
+        return std::distance(std::sregex_iterator(drawing.begin(), drawing.end(), way), {});
+    };
+    EXPECT_EQ(ways("first/map.dxf"), 1);
+    EXPECT_EQ(ways("out/map.dxf"), 2);
 }
 
 TEST_F(SecondTourTest, HoldsTheMapThatTwoToursHaveMade) {

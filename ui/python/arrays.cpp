@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arrays.hpp"
 
+#include <cstddef>
+
 #include "arguments.hpp"
 #include "hitos/base/error.hpp"
 
 namespace hitos::python {
 namespace {
 
-static_assert(sizeof(StampedPose) == 4 * sizeof(double) && sizeof(Point2) == 2 * sizeof(double));
+static_assert(offsetof(StampedPose, pose) == sizeof(double) && sizeof(Pose) == 3 * sizeof(double) &&
+              sizeof(Point2) == 2 * sizeof(double));
 
 py::capsule capsule_of(std::shared_ptr<const void> owner) {
     auto held = std::make_unique<std::shared_ptr<const void>>(std::move(owner));

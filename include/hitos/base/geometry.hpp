@@ -59,11 +59,15 @@ struct Pose {
 /// A pose of the robot in the world at a time.
 struct StampedPose {
     double time_s = 0.0;
-    Pose pose;  ///< world from robot
+    Pose pose;            ///< world from robot
+    bool begins = false;  ///< another tour: no way leads here from the pose before
     friend bool operator==(const StampedPose&, const StampedPose&) = default;
 };
 
 using Trajectory = std::vector<StampedPose>;
+
+/// The places of a path [m], for each tour of it a line.
+std::vector<std::vector<Point2>> lines_of(const Trajectory& path);
 
 /// Straight walls by their ends [m], in the frame that the owner states.
 using Walls = std::vector<std::pair<Point2, Point2>>;

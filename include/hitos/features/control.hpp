@@ -54,8 +54,8 @@ class ControlTrack {
 /// The pose by odometry alone at every scan, from (0, 0, 0) at the first reading.
 class OdometryPath {
   public:
-    /// The scan's stamp and the controls up to it from the scan before.
-    void add(double time_s, std::span<const Control> controls);
+    /// The scan's stamp and the controls up to it from the scan before; `begins` as StampedPose's.
+    void add(double time_s, std::span<const Control> controls, bool begins = false);
     const Trajectory& trajectory() const { return trajectory_; }
 
   private:

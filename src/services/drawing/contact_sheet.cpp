@@ -145,8 +145,8 @@ void draw_tile(cv::Mat& image, const SheetTile& tile, const Window& window, cons
     constexpr int kRadius = 5;
     constexpr int kBorder = 1;
     cv::Mat picture = tile_picture(tile.map, window, layout);
-    drawing::draw_path(picture, {window.low, {0.0, picture.rows + 0.0}, layout.pixels_per_m},
-                       tile.path, 1.5, kRadius, PathMarks::cross_and_ring);
+    drawing::draw_paths(picture, {window.low, {0.0, picture.rows + 0.0}, layout.pixels_per_m},
+                        tile.paths, 1.5, kRadius, PathMarks::cross_and_ring);
     cv::Mat framed = image(cv::Rect(at.x - kBorder, at.y - kBorder, picture.cols + 2 * kBorder,
                                     picture.rows + 2 * kBorder));
     cv::copyMakeBorder(picture, framed, kBorder, kBorder, kBorder, kBorder, cv::BORDER_CONSTANT,

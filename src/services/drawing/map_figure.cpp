@@ -94,7 +94,8 @@ Bounds shown_of(const MapShapes& shapes) {
         box.hold(b);
     }
     for (const Point2& corner : shapes.corners) box.hold(corner);
-    for (const Point2& place : shapes.path) box.hold(place);
+    for (const auto& path : shapes.paths)
+        for (const Point2& place : path) box.hold(place);
     if (box.empty) box.hold({});
     const double more = kRegions * std::max({box.high.x - box.low.x, box.high.y - box.low.y, 1.0});
     if (!shapes.box.empty) {
@@ -128,17 +129,27 @@ View view_of(const MapShapes& shapes, const MapFigureStyle& style) {
 }
 
 /// A path on paper, without the vertices that nobody could see.
-DrawnLine thinned(const Trajectory& path, const View& view) {
-    DrawnLine line;
-    for (std::size_t i = 0; i < path.size(); ++i) {
-        const Point2 next = view.at({path[i].pose.x, path[i].pose.y});
-        const bool last = i + 1 == path.size();
-        if (!std::isfinite(next.x) || !std::isfinite(next.y)) continue;
-        const bool seen =
-            line.empty() || std::hypot(next.x - line.back().x, next.y - line.back().y) >= kFinest;
-        if (seen || (last && line.size() < 2)) line.push_back(next);
+std::vector<DrawnLine> thinned(const Trajectory& path, const View& view) {
+    std::vector<DrawnLine> lines;
+    for (const std::vector<Point2>& places : lines_of(path)) {
+        DrawnLine line;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const Point2 next = view.at(places[i]);
+            const bool last = i + 1 == places.size();
+            if (!std::isfinite(next.x) || !std::isfinite(next.y)) continue;
+            const bool seen = line.empty() ||
+                              std::hypot(next.x - line.back().x, next.y - line.back().y) >= kFinest;
+            if (seen || (last && line.size() < 2)) line.push_back(next);
+        }
+        if (!line.empty()) lines.push_back(std::move(line));
     }
-    return line;
+    return lines;
+}
+
+/// Without those of one place.
+std::vector<DrawnLine> longer_than_a_place(std::vector<DrawnLine> lines) {
+    std::erase_if(lines, [](const DrawnLine& line) { return line.size() < 2; });
+    return lines;
 }
 
 std::string axis_number(double value) {
@@ -280,14 +291,12 @@ void add_map(const MapFigureContent& content, const MapShapes& shapes, const Vie
                    {rectangle({-kSample / 2.0, -0.7}, {kSample / 2.0, 0.7})});
 
     DrawnLayer odometry{"odometry", kOdometryStyle};
-    if (auto line = thinned(content.odometry, view); line.size() > 1) {
-        odometry.lines.push_back(std::move(line));
-    }
+    odometry.lines = longer_than_a_place(thinned(content.odometry, view));
     if (style.odometry) layers.add(std::move(odometry), "odometry alone", stroke);
 
     DrawnLayer path{"path", kPathStyle};
-    DrawnLine line = thinned(content.path, view);
-    if (line.size() > 1) path.lines.push_back(line);
+    const std::vector<DrawnLine> driven = thinned(content.path, view);
+    path.lines = longer_than_a_place(driven);
     if (style.path) layers.add(std::move(path), "estimated path", stroke);
 
     DrawnLayer walls{"lines", kWallStyle};
@@ -302,14 +311,14 @@ void add_map(const MapFigureContent& content, const MapShapes& shapes, const Vie
     if (style.landmarks) layers.add(std::move(corners), "corner landmarks", {}, {disc({}, radius)});
     add_changes(content.changes, view, layers);
 
-    if (line.empty() || !style.path) return;
+    if (driven.empty() || !style.path) return;
     DrawnLayer start{"start", kStartStyle};
-    start.ellipses.push_back(disc(line.front(), kEndRadius));
+    start.ellipses.push_back(disc(driven.front().front(), kEndRadius));
     layers.add(std::move(start), "start", {}, {disc({}, kEndRadius)});
-    if (line.size() < 2) return;
+    if (driven.size() < 2 && driven.front().size() < 2) return;
     DrawnLayer end{"end", kEndStyle};
     end.closed = true;
-    end.lines.push_back(square(line.back(), kEndRadius - 0.1));
+    end.lines.push_back(square(driven.back().back(), kEndRadius - 0.1));
     layers.add(std::move(end), "end", {square({}, kEndRadius - 0.1)});
 }
 

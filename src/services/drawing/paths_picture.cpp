@@ -14,12 +14,6 @@ namespace {
 
 constexpr double kSlack = 0.5;  // s, between stamps that are the same moment
 
-std::vector<std::vector<Point2>> one_line(const Trajectory& path) {
-    std::vector<Point2> line;
-    for (const StampedPose& stamped : path) line.push_back({stamped.pose.x, stamped.pose.y});
-    return {std::move(line)};
-}
-
 std::string paths_script(const PathsPicture& picture) {
     PlotLayer walls{"walls", "lines lw 5 lc rgb '#c8c8c8' title 'true walls'", {}};
     for (const auto& [a, b] : picture.walls) walls.lines.push_back({a, b});
@@ -40,11 +34,11 @@ std::string paths_script(const PathsPicture& picture) {
         std::move(segments),
         std::move(corners),
         PlotLayer{"truth", fmt::format("lines lw 4 lc rgb '#0000ff' title '{}'", reference),
-                  one_line(picture.truth)},
+                  lines_of(picture.truth)},
         PlotLayer{"odometry", "lines lw 2 lc rgb '#ff00ff' title 'odometry'",
-                  one_line(picture.odometry)},
+                  lines_of(picture.odometry)},
         PlotLayer{"estimate", "lines lw 1.5 lc rgb '#000000' title 'estimated path'",
-                  one_line(picture.estimate)}};
+                  lines_of(picture.estimate)}};
     return place_script("paths.png", layers);
 }
 

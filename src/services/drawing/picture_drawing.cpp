@@ -154,20 +154,23 @@ int longest_side(std::string_view kind) {
     return is_jpeg(lower(kind)) ? kOfJpeg : kOfPng;
 }
 
-void draw_path(cv::Mat& image, const Placement& placement, const std::vector<Point2>& path,
-               double width, double radius, PathMarks marks) {
-    if (path.empty()) return;
+void draw_paths(cv::Mat& image, const Placement& placement,
+                const std::vector<std::vector<Point2>>& paths, double width, double radius,
+                PathMarks marks) {
+    if (paths.empty()) return;
     PathTiles tiles(image.size(), width);
-    std::optional<Point2> last;
-    for (const Point2& point : path) {
-        const Point2 pixel = placement.at(point);
-        const bool fits = fits_a_picture(pixel);
-        if (fits && last) tiles.add(*last, pixel);
-        last = fits ? std::optional(pixel) : std::nullopt;
+    for (const std::vector<Point2>& path : paths) {
+        std::optional<Point2> last;
+        for (const Point2& point : path) {
+            const Point2 pixel = placement.at(point);
+            const bool fits = fits_a_picture(pixel);
+            if (fits && last) tiles.add(*last, pixel);
+            last = fits ? std::optional(pixel) : std::nullopt;
+        }
     }
     std::vector<DrawnLayer> ends;
     for (const bool start : {true, false}) {
-        const Point2 at = placement.at(start ? path.front() : path.back());
+        const Point2 at = placement.at(start ? paths.front().front() : paths.back().back());
         if (!fits_a_picture(at)) continue;
         ends.push_back(mark(at, radius, marks, start));
         tiles.touch(at, radius);

@@ -48,10 +48,11 @@ class Block {
     std::uint32_t known_ = 0;
 };
 
-/// The path in red, in few colours, start and end marked; nothing where it is empty. Sizes in
-/// pixels.
-void draw_path(cv::Mat& image, const Placement& placement, const std::vector<Point2>& path,
-               double width, double radius, PathMarks marks);
+/// The lines of a path, none of them empty, in red, in few colours, its start and end marked;
+/// nothing where there are none. Sizes in pixels.
+void draw_paths(cv::Mat& image, const Placement& placement,
+                const std::vector<std::vector<Point2>>& paths, double width, double radius,
+                PathMarks marks);
 
 /// A black bar on white in the lower left corner; none in a picture too small for it.
 void draw_scale_bar(cv::Mat& image, double pixels_per_m);

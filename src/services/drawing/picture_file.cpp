@@ -159,13 +159,13 @@ MapImage fitted(MapImage image, std::string_view kind) {
 std::string encode_picture(const MapImage& map, const PictureStyle& style, std::string_view kind) {
     cv::Mat image = scaled(map.picture, style.scale);
     const double pixels_per_m = style.scale / map.m_per_pixel;
-    if (style.path.empty()) {
+    if (style.paths.empty()) {
         if (style.scale == 1 && style.scale_bar) image = image.clone();
     } else {
         cv::cvtColor(image, image, cv::COLOR_GRAY2BGR);
         constexpr int kRadius = 3;  // and a pixel for each of the scale
-        drawing::draw_path(image, {map.origin, {0.0, image.rows + 0.0}, pixels_per_m}, style.path,
-                           std::max(1.5, style.scale / 2.0), kRadius + style.scale, style.marks);
+        drawing::draw_paths(image, {map.origin, {0.0, image.rows + 0.0}, pixels_per_m}, style.paths,
+                            std::max(1.5, style.scale / 2.0), kRadius + style.scale, style.marks);
     }
     if (style.scale_bar) drawing::draw_scale_bar(image, pixels_per_m);
     return drawing::encoded(image, kind);

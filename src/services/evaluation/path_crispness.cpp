@@ -17,7 +17,7 @@ PathCrispness path_crispness(const TourReader& tour, const Trajectory& path,
     Grid grid(params);
     PathCrispness crispness;
     const std::unique_ptr<TourReader> reader = tour.reopen();
-    for (const auto& [time_s, pose] : path) {
+    for (const StampedPose& stamped : path) {
         const std::optional<Scan> scan = reader->next_scan();
         if (!scan) {
             throw FormatError(tour.name(), 0,
@@ -26,15 +26,15 @@ PathCrispness path_crispness(const TourReader& tour, const Trajectory& path,
                                          "tour that the path was made of"),
                               crispness.scans, path.size());
         }
-        if (!(std::abs(scan->stamp_s() - time_s) <= kSameStamp)) {
+        if (!(std::abs(scan->stamp_s() - stamped.time_s) <= kSameStamp)) {
             throw FormatError(tour.name(), 0,
                               HITOS_TEXT("Errors",
                                          "scan %1 has the stamp %2 s, its pose %3 s; expected the "
                                          "tour that the path was made of"),
-                              crispness.scans + 1, scan->stamp_s(), time_s);
+                              crispness.scans + 1, scan->stamp_s(), stamped.time_s);
         }
-        cells.add(*scan, pose);
-        grid.add(*scan, pose);
+        cells.add(*scan, stamped.pose);
+        grid.add(*scan, stamped.pose);
         ++crispness.scans;
     }
     crispness.cells_per_point = cells.cells_per_point();

@@ -183,7 +183,8 @@ class Writer {
         for (const Point2& corner : drawing_.corners) {
             dxf_.writePoint(*out_, DL_PointData(corner.x, corner.y, 0.0), on(kDxfCorners));
         }
-        if (!drawing_.path.empty()) write_polyline(drawing_.path, false, on(kDxfPath));
+        for (const std::vector<Point2>& path : drawing_.paths)
+            write_polyline(path, false, on(kDxfPath));
         for (const auto& [centre, major, ratio] : drawing_.ellipses) {
             dxf_.writeEllipse(*out_,
                               DL_EllipseData(centre.x, centre.y, 0.0, major.x, major.y, 0.0,

@@ -101,13 +101,14 @@ MapShapes map_shapes(const LandmarkMap& map, std::span<const LineExtent> segment
         shapes.lines.emplace_back(segment.a, segment.b);
         add_band(shapes, segment, *line, map[index].covariance, sigmas);
     }
-    for (const StampedPose& stamped : path) {
-        const Point2 place{stamped.pose.x, stamped.pose.y};
-        check_drawable(place, message(HITOS_TEXT("Errors", "the path")));
-        if (shapes.path.empty() || shapes.path.back() != place) shapes.path.push_back(place);
+    for (std::vector<Point2>& line : lines_of(path)) {
+        for (const Point2& place : line)
+            check_drawable(place, message(HITOS_TEXT("Errors", "the path")));
+        line.erase(std::unique(line.begin(), line.end()), line.end());
+        if (line.size() < 2) continue;
+        std::ranges::for_each(line, [&](const Point2& place) { shapes.box.hold(place); });
+        shapes.paths.push_back(std::move(line));
     }
-    if (shapes.path.size() < 2) shapes.path.clear();
-    std::ranges::for_each(shapes.path, [&](const Point2& point) { shapes.box.hold(point); });
     return shapes;
 }
 

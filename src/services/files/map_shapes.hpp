@@ -27,7 +27,8 @@ struct MapEllipse {
 struct MapShapes {
     std::vector<std::pair<Point2, Point2>> lines;  ///< the segments
     std::vector<Point2> corners;
-    std::vector<Point2> path;  ///< one for each place; empty where there is one place only
+    /// One for each tour, a point for each place; without those of one place only.
+    std::vector<std::vector<Point2>> paths;
     std::vector<MapEllipse> ellipses;
     std::vector<std::vector<Point2>> bands;  ///< closed
     Bounds box;                              ///< that holds all of them

@@ -218,7 +218,8 @@ Trajectory parse_trajectory(std::string_view text, const std::string& name) {
 std::string trajectory_to_text(const Trajectory& trajectory) {
     std::string text;
     for (std::size_t i = 0; i < trajectory.size(); ++i) {
-        const auto& [t, pose] = trajectory[i];
+        const double t = trajectory[i].time_s;
+        const Pose& pose = trajectory[i].pose;
         if (!std::isfinite(t) || !std::isfinite(pose.x) || !std::isfinite(pose.y) ||
             !std::isfinite(pose.theta)) {
             throw Error(message(HITOS_TEXT("Errors",

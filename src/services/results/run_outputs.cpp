@@ -144,9 +144,7 @@ RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
         style.scale = picture_scale(image.picture);
         style.scale_bar = true;
         style.marks = finished.run.configuration().grid.path_marks;
-        for (const StampedPose& stamped : path_of(finished)) {
-            style.path.push_back({stamped.pose.x, stamped.pose.y});
-        }
+        style.paths = lines_of(path_of(finished));
         write_picture(fitted(image, "png"), style, folder / numbered(stem + ".png", finished));
         write_picture(to_look_at(std::move(image)), style,
                       folder / numbered(stem + ".jpg", finished));

@@ -134,7 +134,8 @@ bool Algoritmo::step(AssociationRecord* record) {
     note_scan();
     if (options_.step_grid) draw_scan(registered && registered->key);
     if (state_.registration) take_correction();
-    state_.online.push_back({state_.scan.stamp_s(), state_.filter->best_pose()});
+    state_.online.push_back(
+        {state_.scan.stamp_s(), state_.filter->best_pose(), state_.scan.begins_tour.has_value()});
     clock_.ends(RunStage::rest);
     if (options_.stepped) options_.stepped(*this);
     return true;
@@ -179,7 +180,7 @@ void Algoritmo::note_scan() {
                             state_.observation, state_.filter->associations());
     if (options_.uncertainty)
         state_.uncertainty.note(state_.scan.stamp_s(), state_.filter->best_map());
-    state_.odometry.add(state_.scan.stamp_s(), step_controls_);
+    state_.odometry.add(state_.scan.stamp_s(), step_controls_, state_.scan.begins_tour.has_value());
     if (options_.taken) options_.taken(state_.scan, odometry_trajectory().back().pose);
 }
 

@@ -47,9 +47,13 @@ std::vector<StatePart> parts_of(const RunState& state, const Grid& step_grid) {
     end("hypotheses");
     put_landmarks(bytes, map);
     end("landmarks");
-    note("path", path);
-    note("path as it was driven", state.online);
-    note("odometry", state.odometry.trajectory());
+    const auto note_path = [&](const char* name, const Trajectory& row) {
+        put_path(bytes, row);
+        end(name);
+    };
+    note_path("path", path);
+    note_path("path as it was driven", state.online);
+    note_path("odometry", state.odometry.trajectory());
     note("scan", state.scan.points);
     put_told(bytes, state.scan);
     end("landmarks told");

@@ -2,6 +2,7 @@
 // A run's state as bytes, for digests.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "hitos/services/run/run_state.hpp"
@@ -17,6 +18,11 @@ void put(std::string& bytes, const Values&... values) {
 template <class Row>
 void put_all(std::string& bytes, const Row& row) {
     for (const auto& one : row) put(bytes, one);
+}
+
+/// Poses and their times.
+inline void put_path(std::string& bytes, std::span<const StampedPose> path) {
+    for (const StampedPose& one : path) put(bytes, one.time_s, one.pose);
 }
 
 /// A figure that there is not as one that no figure is.

@@ -81,7 +81,7 @@ void StepHashes::note(const Algoritmo& run) {
         text_.append(Digest().add(std::exchange(bytes, {})).text(), 0, kDigits);
     };
     text_ += run.finished() ? "end" : std::to_string(run.steps());
-    put(bytes, run.odometry_trajectory().back());
+    put_path(bytes, std::span(run.odometry_trajectory()).last(1));
     end();
     put_all(bytes, run.scan().points);
     put_told(bytes, run.scan());
@@ -103,7 +103,7 @@ void StepHashes::note(const Algoritmo& run) {
     put_all(bytes, joint.reshaped());
     end();
     put_all(bytes, filter.best_history());
-    put_all(bytes, run.online_trajectory());
+    put_path(bytes, run.online_trajectory());
     end();
     text_ += '\n';
 }

@@ -80,7 +80,7 @@ Message write_pictures(const StudyLayout& runs, const StudyLayout& out, const St
         SheetTile tile = study_tile(runs, plan, run, records[run]);
         if (records[run].picture) {
             write_picture(tile.map,
-                          {scale_of(tile.map), tile.path, true, PathMarks::cross_and_ring},
+                          {scale_of(tile.map), tile.paths, true, PathMarks::cross_and_ring},
                           folder / (plan.file_stem(run) + ".png"));
         }
         tile.map = shrunk(std::move(tile.map), kLongestTile);
@@ -105,11 +105,7 @@ SheetTile study_tile(const StudyLayout& layout, const StudyPlan& plan, std::size
     if (!record.picture) return tile;
     tile.map = {read_grey_picture(study::grid_file(layout, plan, run)), record.picture->origin,
                 record.picture->m_per_pixel};
-    const Trajectory path = read_trajectory(study::path_file(layout, plan, run));
-    tile.path.reserve(path.size());
-    for (const StampedPose& stamped : path) {
-        tile.path.push_back({stamped.pose.x, stamped.pose.y});
-    }
+    tile.paths = lines_of(read_trajectory(study::path_file(layout, plan, run)));
     return tile;
 }
 

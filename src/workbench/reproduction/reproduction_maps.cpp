@@ -91,11 +91,7 @@ OdometryMap odometry_map(const Study& study) {
     }
     OdometryMap map;
     map.tile.map = shrunk(map_image(builder.grid()), kLongestTile);
-    const Trajectory path = builder.path();
-    map.tile.path.reserve(path.size());
-    for (const StampedPose& stamped : path) {
-        map.tile.path.push_back({stamped.pose.x, stamped.pose.y});
-    }
+    map.tile.paths = lines_of(builder.path());
     map.blur_m2 = grid_blur_m2(builder.grid());
     return map;
 }

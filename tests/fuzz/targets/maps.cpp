@@ -129,9 +129,10 @@ bool check_relations(std::string_view input) {
 bool check_trajectory(std::string_view input) {
     const auto path = unless_refused([&] { return parse_trajectory(input, kMapName); });
     if (!path) return false;
-    for (const auto& [time_s, pose] : *path) {
+    for (const auto& [time_s, pose, begins] : *path) {
         require(std::isfinite(time_s) && is_finite({pose.x, pose.y}), "poses are finite");
         require(pose.theta > -kPi && pose.theta <= kPi, "headings are wrapped");
+        require(!begins, "a file has one tour");
     }
     const Trajectory again = parse_trajectory(trajectory_to_text(*path), kMapName);
     constexpr double kDecimals = 1e-9;

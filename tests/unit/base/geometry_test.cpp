@@ -112,5 +112,17 @@ TEST_F(GeometryTest, SeriesMeetsTheQuotient) {
     }
 }
 
+TEST_F(GeometryTest, APathIsALineForEachTour) {
+    EXPECT_TRUE(lines_of({}).empty());
+    const Trajectory path{{0.0, {1.0, 0.0, 0.0}},
+                          {1.0, {2.0, 0.0, 0.0}},
+                          {2.0, {9.0, 5.0, 0.0}, true},
+                          {3.0, {9.0, 6.0, 0.0}}};
+    const std::vector<std::vector<Point2>> lines = lines_of(path);
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_EQ(lines[0], (std::vector<Point2>{{1.0, 0.0}, {2.0, 0.0}}));
+    EXPECT_EQ(lines[1], (std::vector<Point2>{{9.0, 5.0}, {9.0, 6.0}}));
+}
+
 }  // namespace
 }  // namespace hitos

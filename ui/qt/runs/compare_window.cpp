@@ -358,6 +358,7 @@ RunTrace CompareWindow::trace_of(std::size_t place, bool landmarks) const {
     const Compared& of = *all[place];
     RunTrace trace{title_of(of.choice), colour_at(place), points_of(of.path()),
                    landmarks ? MarkedMap{of.run->map, of.run->line_extents} : MarkedMap{}};
+    trace.begins = begins_of(of.path());
     if (of.figures.errors.empty()) return trace;
     trace.errors_m.assign(trace.path.size(), std::numeric_limits<double>::quiet_NaN());
     for (const PathError& error : of.figures.errors) {

@@ -164,8 +164,14 @@ void RunsPanel::show_choice() {
     remove_->setEnabled(std::ranges::any_of(runs, [](const auto& one) { return one.number > 0; }));
     std::vector<RunTrace> traces;
     traces.reserve(runs.size());
-    for (const ListedRun& listed : runs)
-        traces.push_back({name_of(listed), colour_of(listed), points_of(listed.run->path), {}});
+    for (const ListedRun& listed : runs) {
+        const Trajectory& path = listed.run->path;
+        traces.push_back({.name = name_of(listed),
+                          .colour = colour_of(listed),
+                          .path = points_of(path),
+                          .landmarks = {},
+                          .begins = begins_of(path)});
+    }
     emit traces_changed(std::move(traces));
 }
 

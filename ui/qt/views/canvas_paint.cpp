@@ -153,23 +153,29 @@ void draw_pose_uncertainty(QPainter& painter, const Scene& scene, const Pose& me
 }
 
 void draw_path(QPainter& painter, const Scene& scene, const std::vector<QPointF>& path_m,
-               const QPen& pen) {
+               const QPen& pen, const std::vector<std::size_t>& begins) {
     constexpr double kLeastPixels = 3.0;
+    painter.setBrush(Qt::NoBrush);
+    QPen cheap = pen;  // round joins of a thousand points take longer than the rest of a view
+    cheap.setJoinStyle(Qt::BevelJoin);
+    cheap.setCapStyle(Qt::FlatCap);
+    painter.setPen(cheap);
     QPolygonF pixels;
     pixels.reserve(1024);
-    for (const QPointF& point : path_m) {
-        const QPointF pixel = scene.to_screen.map(point);
+    auto begin = begins.begin();
+    for (std::size_t i = 0; i < path_m.size(); ++i) {
+        const QPointF pixel = scene.to_screen.map(path_m[i]);
+        if (begin != begins.end() && *begin == i) {
+            ++begin;
+            painter.drawPolyline(pixels);
+            pixels.clear();
+        }
         if (!pixels.isEmpty()) {
             const QPointF way = pixel - pixels.back();
             if (way.x() * way.x() + way.y() * way.y() < kLeastPixels * kLeastPixels) continue;
         }
         pixels.append(pixel);
     }
-    painter.setBrush(Qt::NoBrush);
-    QPen cheap = pen;  // round joins of a thousand points take longer than the rest of a view
-    cheap.setJoinStyle(Qt::BevelJoin);
-    cheap.setCapStyle(Qt::FlatCap);
-    painter.setPen(cheap);
     painter.drawPolyline(pixels);
 }
 
@@ -261,6 +267,18 @@ std::vector<QPointF> points_of(const Trajectory& trajectory, const Pose& pose_vi
         points.emplace_back(point.x, point.y);
     }
     return points;
+}
+
+std::vector<std::size_t> begins_of(const Trajectory& trajectory) {
+    std::vector<std::size_t> begins;
+    for (std::size_t i = 0; i < trajectory.size(); ++i)
+        if (trajectory[i].begins) begins.push_back(i);
+    return begins;
+}
+
+void draw_path(QPainter& painter, const Scene& scene, const Trajectory& path, const QPen& pen,
+               const Pose& pose_view_world) {
+    draw_path(painter, scene, points_of(path, pose_view_world), pen, begins_of(path));
 }
 
 }  // namespace hitos::window

@@ -30,9 +30,10 @@ void draw_robot(QPainter& painter, const Scene& scene, const Pose& pose_view_rob
 /// the heading. `mean` and the covariance of (x, y, theta) about it are in the world's frame.
 void draw_pose_uncertainty(QPainter& painter, const Scene& scene, const Pose& mean,
                            const Eigen::Matrix3d& covariance, const Pose& pose_view_world = {});
-/// A path; points nearer than three pixels to the one before are left out.
+/// A path; points nearer than three pixels to the one before are left out. No line leads to those
+/// that `begins` numbers, in their order.
 void draw_path(QPainter& painter, const Scene& scene, const std::vector<QPointF>& path_m,
-               const QPen& pen);
+               const QPen& pen, const std::vector<std::size_t>& begins = {});
 /// A small cross, as gun sights have it.
 /// What a scan shows, robot frame: points that a laser hit, and landmarks that a sensor told.
 std::vector<Point2> shown_points(const Scan& scan);
@@ -71,5 +72,9 @@ class SeenLines {
 
 /// Points of a trajectory, moved by `pose_view_world`.
 std::vector<QPointF> points_of(const Trajectory& trajectory, const Pose& pose_view_world = {});
+/// Those of them at which another tour begins.
+std::vector<std::size_t> begins_of(const Trajectory& trajectory);
+void draw_path(QPainter& painter, const Scene& scene, const Trajectory& path, const QPen& pen,
+               const Pose& pose_view_world = {});
 
 }  // namespace hitos::window

@@ -16,10 +16,11 @@ namespace {
 /// The path in its colour, and on it how far it is off.
 void draw_errors(QPainter& painter, const Scene& scene, const RunTrace& trace) {
     constexpr double kLeastPixels = 3.0;
-    draw_path(painter, scene, trace.path, thin_pen(trace.colour, 5.0));
+    draw_path(painter, scene, trace.path, thin_pen(trace.colour, 5.0), trace.begins);
     std::optional<QPointF> last;
     for (std::size_t i = 0; i < trace.path.size(); ++i) {
         const QPointF pixel = scene.to_screen.map(trace.path[i]);
+        if (std::ranges::binary_search(trace.begins, i)) last.reset();
         if (last && QLineF(*last, pixel).length() < kLeastPixels) continue;
         if (last && std::isfinite(trace.errors_m[i])) {
             const double share = trace.errors_m[i] / std::max(trace.greatest_m, 1e-9);
@@ -133,6 +134,7 @@ void GridView::set_snapshot(const std::shared_ptr<const Snapshot>& snapshot) {
         path_.clear();
         odometry_.clear();
         online_.clear();
+        begins_.clear();
         landmarks_ = {};
         content_changed(std::nullopt);
         return;
@@ -143,6 +145,7 @@ void GridView::set_snapshot(const std::shared_ptr<const Snapshot>& snapshot) {
     path_ = points_of(snapshot_->best_trajectory);
     odometry_ = points_of(snapshot_->odometry_trajectory);
     online_ = points_of(snapshot_->online_trajectory);
+    begins_ = begins_of(snapshot_->best_trajectory);
     content_changed(QPointF(snapshot_->best_pose.x, snapshot_->best_pose.y));
 }
 
@@ -150,6 +153,7 @@ void GridView::set_grid(const GridTiles& tiles, const Trajectory& path) {
     tiles_ = tiles;
     layer_.set_tiles(tiles_);
     path_ = points_of(path);
+    begins_ = begins_of(path);
     content_changed(path_.empty() ? std::nullopt : std::optional<QPointF>(path_.back()));
 }
 
@@ -258,13 +262,15 @@ void GridView::paint_scene(QPainter& painter, const Scene& scene) const {
     layer_.paint(painter, scene);
     if (layers().has(Layer::reference)) paint_reference(painter, scene);
     if (layers().has(Layer::odometry)) {
-        draw_path(painter, scene, odometry_, thin_pen(light_colours().odometry, 1.4, Qt::DashLine));
+        draw_path(painter, scene, odometry_, thin_pen(light_colours().odometry, 1.4, Qt::DashLine),
+                  begins_);
     }
     if (layers().has(Layer::online)) {
-        draw_path(painter, scene, online_, thin_pen(faded(light_colours().path, 150), 1.2));
+        draw_path(painter, scene, online_, thin_pen(faded(light_colours().path, 150), 1.2),
+                  begins_);
     }
     if (layers().has(Layer::path)) {
-        draw_path(painter, scene, path_, thin_pen(light_colours().path, 1.8));
+        draw_path(painter, scene, path_, thin_pen(light_colours().path, 1.8), begins_);
     }
     if (snapshot_) {
         const Scene paper{scene.to_screen, scene.size, scene.pixels_per_m, light_colours(), false};
@@ -310,7 +316,7 @@ void GridView::paint_traces(QPainter& painter, const Scene& scene) const {
         style.colour = trace.colour;
         if (layers().has(Layer::landmarks)) draw_landmarks(painter, paper, trace.landmarks, style);
         if (trace.errors_m.empty()) {
-            draw_path(painter, scene, trace.path, thin_pen(trace.colour, 1.8));
+            draw_path(painter, scene, trace.path, thin_pen(trace.colour, 1.8), trace.begins);
         } else {
             draw_errors(painter, scene, trace);
         }

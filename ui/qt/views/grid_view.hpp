@@ -24,7 +24,8 @@ struct RunTrace {
     /// How far each point of the path is off [m], where it is coloured by that; not a number where
     /// it is not known.
     std::vector<double> errors_m = {};
-    double greatest_m = 0.0;  ///< end of the scale of colours
+    double greatest_m = 0.0;               ///< end of the scale of colours
+    std::vector<std::size_t> begins = {};  ///< points of the path to which no way leads
 };
 
 /// A grid map in the world's frame: that of a snapshot, or one that a builder makes.
@@ -94,6 +95,7 @@ class GridView final : public CanvasView {
     GridTiles tiles_;
     GridLayer layer_;
     std::vector<QPointF> path_;
+    std::vector<std::size_t> begins_;  // of its points; odometry and online path have the same
     std::vector<QPointF> odometry_;
     std::vector<QPointF> online_;
     std::vector<QPointF> reference_path_;

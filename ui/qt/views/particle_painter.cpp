@@ -26,8 +26,8 @@ void draw_particle(QPainter& painter, const Scene& scene, const ParticleDetails&
     style.colour = scene.colours.highlight;
     draw_landmarks(painter, scene, transform(pose_view_world, particle.map, particle.line_extents),
                    style);
-    draw_path(painter, scene, points_of(particle.path, pose_view_world),
-              thin_pen(faded(scene.colours.highlight, 190), 1.6));
+    draw_path(painter, scene, particle.path, thin_pen(faded(scene.colours.highlight, 190), 1.6),
+              pose_view_world);
     if (particle.path.empty()) return;
     const Pose pose = compose(pose_view_world, particle.path.back().pose);
     QLineF heading = scene.to_screen.map(

@@ -181,7 +181,7 @@ void ScanView::paint_scene(QPainter& painter, const Scene& scene) const {
                         layers().has(Layer::names), highlighted});
     }
     if (layers().has(Layer::path) && !robot_frame_) {
-        draw_path(painter, scene, points_of(snapshot_->best_trajectory),
+        draw_path(painter, scene, snapshot_->best_trajectory,
                   thin_pen(faded(scene.colours.path, 170), 1.6));
     }
     if (layers().has(Layer::scan)) {

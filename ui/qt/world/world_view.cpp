@@ -296,8 +296,7 @@ void WorldView::paint_belief(QPainter& painter, const Scene& scene) const {
                        false};
     if (layers().has(Layer::landmarks)) paint_landmarks(painter, of_run);
     if (layers().has(Layer::path)) {
-        draw_path(painter, of_run, points_of(snapshot_->best_trajectory),
-                  thin_pen(scene.colours.path, 1.6));
+        draw_path(painter, of_run, snapshot_->best_trajectory, thin_pen(scene.colours.path, 1.6));
     }
     if (!layers().has(Layer::particles)) return;
     for (const WeightedPose& hypothesis : snapshot_->hypotheses) {

@@ -14,7 +14,8 @@ namespace hitos {
 struct SheetTile {
     std::vector<std::string> caption;  ///< lines below the map
     MapImage map;                      ///< an empty picture: the tile says "no map"
-    std::vector<Point2> path;          ///< world [m]; red, start X, end O
+    /// World [m]; red, start X, end O, as one with breaks.
+    std::vector<std::vector<Point2>> paths;
 };
 
 /// Tiles row by row.

@@ -29,9 +29,9 @@ MapImage map_image(const Grid& grid);
 
 /// What a grid's picture has besides its cells.
 struct PictureStyle {
-    int scale = 1;             ///< pixels per cell, 1 … kGreatestPictureScale
-    std::vector<Point2> path;  ///< world [m]; drawn in red
-    bool scale_bar = false;    ///< a bar of a round length, with that length in words
+    int scale = 1;                           ///< pixels per cell, 1 … kGreatestPictureScale
+    std::vector<std::vector<Point2>> paths;  ///< world [m]; drawn in red, as one with breaks
+    bool scale_bar = false;                  ///< a bar of a round length, with that length in words
     PathMarks marks = PathMarks::discs;
 };
 inline constexpr int kGreatestPictureScale = 64;

@@ -43,7 +43,7 @@ ContactSheet sheet_of(int tiles, int columns) {
     for (int i = 0; i < tiles; ++i) {
         sheet.tiles.push_back({{"value " + std::to_string(i), "second line"},
                                sheet_room(10.0, 0.05),
-                               {{-2.0, -2.0}, {2.0, -2.0}, {2.0, 2.0}}});
+                               {{{-2.0, -2.0}, {2.0, -2.0}, {2.0, 2.0}}}});
     }
     return sheet;
 }
@@ -90,7 +90,7 @@ TEST(ContactSheet, LaysTilesInRowsWithTheirWordsBelow) {
 TEST(ContactSheet, ShowsAllMapsAtOneScaleWhateverTheirPixels) {
     ContactSheet sheet = sheet_of(2, 2);
     sheet.tiles[1].map = sheet_room(5.0, 0.025);  // half the room in as many pixels
-    for (SheetTile& tile : sheet.tiles) tile.path.clear();
+    for (SheetTile& tile : sheet.tiles) tile.paths.clear();
     const cv::Mat image = drawn(sheet);
     // Free pixels between the walls along a row through the middle of both tiles.
     const int middle = 10 + 2 * 17 + 150;
@@ -108,7 +108,7 @@ TEST(ContactSheet, ShowsAllMapsAtOneScaleWhateverTheirPixels) {
 TEST(ContactSheet, AFewGiantMapsAreCutLestTheOthersVanish) {
     ContactSheet sheet = sheet_of(5, 5);
     sheet.tiles[3].map = sheet_room(1000.0, 2.0);
-    for (SheetTile& tile : sheet.tiles) tile.path.clear();
+    for (SheetTile& tile : sheet.tiles) tile.paths.clear();
     const cv::Mat image = drawn(sheet);
     const int middle = 10 + 2 * 17 + 150;
     int found = 0;

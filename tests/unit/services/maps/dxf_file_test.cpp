@@ -118,6 +118,22 @@ TEST(DxfFile, HoldsEveryEntityOnItsLayer) {
     EXPECT_NEAR(found.polylines[0].points[2].y, -3.0, 1e-12);
 }
 
+TEST(DxfFile, NoWayLeadsFromOneTourToTheNext) {
+    Example example;
+    Trajectory second = example.path;
+    second.front().begins = true;
+    for (StampedPose& pose : second) pose.pose.x += 20.0;
+    example.path.insert(example.path.end(), second.begin(), second.end());
+    const Found found(dxf_text(example.map, example.segments, example.path));
+    ASSERT_EQ(found.polylines.size(), 5U);
+    for (std::size_t tour = 0; tour < 2; ++tour) {
+        EXPECT_EQ(found.polylines[tour].layer, "PATH");
+        ASSERT_EQ(found.polylines[tour].points.size(), 3U);
+        EXPECT_NEAR(found.polylines[tour].points[1].x, 1.0 / 3.0 + 20.0 * static_cast<double>(tour),
+                    1e-12);
+    }
+}
+
 TEST(DxfFile, DrawsThreeSigmaOfCorners) {
     const Example example;
     const Found found(dxf_text(example.map, example.segments, example.path));

@@ -36,6 +36,19 @@ class MapFigureTest : public testing::Test {
     Trajectory odometry_ = {{0.0, {0.0, 0.0, 0.0}}, {1.0, {100.0, 3.0, 0.0}}};
 };
 
+TEST_F(MapFigureTest, NoWayLeadsFromOneTourToTheNext) {
+    ASSERT_EQ(layer(figure(), "path")->lines.size(), 1U);
+    Trajectory second = map_.path;
+    second.front().begins = true;
+    map_.path.insert(map_.path.end(), second.begin(), second.end());
+    odometry_ = map_.path;
+    const VectorDrawing drawing = figure();
+    EXPECT_EQ(layer(drawing, "path")->lines.size(), 2U);
+    EXPECT_EQ(layer(drawing, "odometry")->lines.size(), 2U);
+    EXPECT_EQ(layer(drawing, "start")->ellipses.size(), 1U);
+    EXPECT_EQ(layer(drawing, "end")->lines.size(), 1U);
+}
+
 TEST_F(MapFigureTest, ShowsTheMapToScaleInItsFrame) {
     const VectorDrawing drawing = figure();
     const DrawnLayer* walls = layer(drawing, "lines");

@@ -80,7 +80,7 @@ TEST(EncodePicture, JpgIsNearThePicture) {
 TEST(EncodePicture, ScaleRepeatsCells) {
     const Grid grid = grid_map();
     const Grid::Picture picture = grid.picture();
-    const cv::Mat image = decoded(encode_picture(grid, {.scale = 3, .path = {}}, "png"));
+    const cv::Mat image = decoded(encode_picture(grid, {.scale = 3, .paths = {}}, "png"));
     ASSERT_EQ(image.size(), cv::Size(3 * picture.width, 3 * picture.height));
     ASSERT_EQ(image.channels(), 1);
     for (int y = 0; y < image.rows; ++y) {
@@ -93,7 +93,7 @@ TEST(EncodePicture, ScaleRepeatsCells) {
 
 TEST(EncodePicture, DrawsThePathWhereItWas) {
     const Grid grid = grid_map();
-    PictureStyle style{.scale = 10, .path = {{2.25, 2.25}, {8.25, 2.25}, {8.25, 8.25}}};
+    PictureStyle style{.scale = 10, .paths = {{{2.25, 2.25}, {8.25, 2.25}, {8.25, 8.25}}}};
     const cv::Mat image = decoded(encode_picture(grid, style, "png"));
     ASSERT_EQ(image.channels(), 3);
     ASSERT_EQ(image.size(), cv::Size(240, 200));
@@ -105,25 +105,33 @@ TEST(EncodePicture, DrawsThePathWhereItWas) {
     EXPECT_EQ(pixel_at(image, 105, 95)[0],
               pixel_at(image, 105, 95)[2]);  // off the path it stays grey
     EXPECT_EQ(pixel_at(image, 105, 145)[0], pixel_at(image, 105, 145)[2]);
+
+    // In two tours: from the first one's end no way leads to the second's begin.
+    style.paths = {{{2.25, 2.25}, {4.25, 2.25}}, {{8.25, 2.25}, {8.25, 8.25}}};
+    const cv::Mat tours = decoded(encode_picture(grid, style, "png"));
+    EXPECT_TRUE(is_green(pixel_at(tours, 45, 155)) && is_blue(pixel_at(tours, 165, 35)));
+    EXPECT_TRUE(is_red(pixel_at(tours, 70, 155)) && is_red(pixel_at(tours, 165, 95)));
+    EXPECT_FALSE(is_red(pixel_at(tours, 125, 155)));
 }
 
 TEST(EncodePicture, PassesOverPathPointsThatCannotBeDrawn) {
     const Grid grid = grid_map();
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const PictureStyle style{
-        .scale = 10, .path = {{2.25, 2.25}, {nan, 1.0}, {1e300, 1.0}, {-1e9, 0.0}, {8.25, 2.25}}};
+        .scale = 10,
+        .paths = {{{2.25, 2.25}, {nan, 1.0}, {1e300, 1.0}, {-1e9, 0.0}, {8.25, 2.25}}}};
     const cv::Mat image = decoded(encode_picture(grid, style, "png"));
     EXPECT_TRUE(is_green(pixel_at(image, 45, 155)));
     EXPECT_TRUE(is_blue(pixel_at(image, 165, 155)));
     EXPECT_FALSE(is_red(pixel_at(image, 105, 155)));
-    const PictureStyle lost{.path = {{nan, nan}}};
+    const PictureStyle lost{.paths = {{{nan, nan}}}};
     EXPECT_NO_THROW(encode_picture(grid, lost, "png"));
 }
 
 TEST(EncodePicture, ScaleBarHasARoundLength) {
     const Grid grid = grid_map();
     const cv::Mat image =
-        decoded(encode_picture(grid, {.scale = 10, .path = {}, .scale_bar = true}, "png"));
+        decoded(encode_picture(grid, {.scale = 10, .paths = {}, .scale_bar = true}, "png"));
     ASSERT_EQ(image.channels(), 1);
     // A quarter of 12 m is 3 m: the bar is 2 m, 40 pixels.
     const int row = image.rows - 12;
@@ -134,7 +142,7 @@ TEST(EncodePicture, ScaleBarHasARoundLength) {
     EXPECT_EQ(image.at<std::uint8_t>(row, 49), 0);
     EXPECT_EQ(image.at<std::uint8_t>(row, 51), 255);
     // Too small a picture stays without.
-    EXPECT_EQ(encode_picture(grid, {.scale = 1, .path = {}, .scale_bar = true}, "png"),
+    EXPECT_EQ(encode_picture(grid, {.scale = 1, .paths = {}, .scale_bar = true}, "png"),
               encode_picture(grid, {}, "png"));
 }
 
@@ -145,7 +153,7 @@ TEST(EncodePicture, RefusesWhatItCannotDraw) {
     for (const int scale : {0, -1, 65}) {
         EXPECT_EQ(
             message_of<ConfigError>(
-                [&] { encode_picture(grid, {.scale = scale, .path = {}}, "png"); }),
+                [&] { encode_picture(grid, {.scale = scale, .paths = {}}, "png"); }),
             "scale: " + std::to_string(scale) + " is out of range; allowed: integers from 1 to 64");
     }
     EXPECT_THAT(message_of<Error>([&] { encode_picture(Grid{}, {}, "png"); }),
@@ -164,14 +172,14 @@ TEST(EncodePicture, RefusesPicturesOfTooManyPixels) {
     scan.points = {{700.0, 700.0}};
     grid.add(scan, {});
     EXPECT_EQ(
-        message_of<Error>([&] { encode_picture(grid, {.scale = 64, .path = {}}, "png"); }),
+        message_of<Error>([&] { encode_picture(grid, {.scale = 64, .paths = {}}, "png"); }),
         "a picture of 44864 x 44864 pixels is too great; use a smaller scale or coarser cells");
 }
 
 TEST(WritePicture, WritesTheKindThatTheExtensionNames) {
     const TempFolder folder;
     const Grid grid = grid_map();
-    const PictureStyle style{.scale = 2, .path = {{1.0, 1.0}, {5.0, 5.0}}};
+    const PictureStyle style{.scale = 2, .paths = {{{1.0, 1.0}, {5.0, 5.0}}}};
     for (const char* name : {"a.png", "b.PNG"}) {
         write_picture(grid, style, folder / name);
         EXPECT_EQ(test::content(folder / name), encode_picture(grid, style, "png"));
@@ -195,7 +203,7 @@ TEST(WritePicture, ErrorsNameTheFileAndLeaveWhatWasThere) {
     const auto old = folder.put("old.png", "precious");
     EXPECT_THAT(message_of<FileError>([&] { write_picture(Grid{}, {}, old); }),
                 HasSubstr(old.string() + ": the grid map is empty"));
-    EXPECT_THAT(message_of<FileError>([&] { write_picture(grid, {.scale = 0, .path = {}}, old); }),
+    EXPECT_THAT(message_of<FileError>([&] { write_picture(grid, {.scale = 0, .paths = {}}, old); }),
                 HasSubstr(old.string() + ": scale: 0 is out of range"));
     EXPECT_THAT(message_of<FileError>([&] { write_picture(grid, {}, old / "b.png"); }),
                 HasSubstr((old / "b.png").string()));
@@ -338,7 +346,7 @@ TEST(PictureFile, HalfAPictureOrADamagedOneIsNone) {
 TEST(PictureFile, EndsOfThePathCanBeMarkedByCrossAndRing) {
     PictureStyle style;
     style.scale = 4;
-    style.path = {{2.0, 2.0}, {8.0, 6.0}};
+    style.paths = {{{2.0, 2.0}, {8.0, 6.0}}};
     style.marks = PathMarks::cross_and_ring;
     const cv::Mat image = decoded(encode_picture(grid_map(), style, "png"));
     const auto pixel = [&](double x, double y) {
