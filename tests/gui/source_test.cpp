@@ -149,10 +149,12 @@ void SourceTest::what_findings_advise_is_set_in_the_form() {
         QVERIFY(delay->isVisible());
         delay->selectAll();
         QTest::keyClicks(delay, "late");
-        QTRY_VERIFY(!ok(dialog)->isEnabled());
-        QVERIFY(dialog.findChild<QLabel*>("error_source.scan_delay")->isVisible());
+        QVERIFY(!ok(dialog)->isEnabled());
+        QTRY_VERIFY(dialog.findChild<QLabel*>("error_source.scan_delay")->isVisible());
+        QVERIFY(!ok(dialog)->isEnabled());
         delay->selectAll();
         QTest::keyClicks(delay, "-5");
+        QVERIFY(!ok(dialog)->isEnabled());  // nobody has read it like that yet
         QTRY_VERIFY(verdict(dialog).contains("“Scan delay”"));
         QVERIFY(ok(dialog)->isEnabled());
         auto* remedy = dialog.findChild<QPushButton*>("remedy_source.scan_delay");

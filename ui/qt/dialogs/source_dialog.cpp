@@ -144,10 +144,10 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
 
 void SourceDialog::connect_fields() {
     connect(ui_->path, &QLineEdit::textChanged, this, [this] {
-        // What was set is of the recording that it was set for.
-        SourceParams other = source_;
-        if (ui_->path->text().trimmed().toStdString() != source_.file)
-            other.read = for_another_recording(source_.read);
+        // What was set is of the recording that it was set for, but for what is said of the map.
+        SourceParams other = source();
+        other.read =
+            other.file == source_.file ? source_.read : for_another_recording(source_.read);
         ui_->scan_topic->setText(QString::fromStdString(other.read.scan_topic));
         ui_->odom_topic->setText(QString::fromStdString(other.read.odom_topic));
         how_read_->show(other);
@@ -170,6 +170,9 @@ void SourceDialog::connect_fields() {
         auto* column = static_cast<QVBoxLayout*>(layout());
         column->setStretch(column->indexOf(ui_->verdict_area), on ? kMore : 1);
     });
+    // What has just been typed is no part of what is read yet.
+    connect(how_read_, &SourceReading::edited, this,
+            [this] { ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(false); });
     connect(how_read_, &SourceReading::changed, this, &SourceDialog::check_reading);
 }
 
@@ -188,9 +191,14 @@ SourceParams SourceDialog::source() const {
     return chosen;
 }
 
+/// It was read as all fields say.
+bool SourceDialog::may_accept() const {
+    return summary_ && summary_->tour.report.scans > 0 && how_read_->good();
+}
+
 void SourceDialog::check_reading() {
     if (source() != checked_) begin_check();
-    if (!how_read_->good()) ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
+    ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(may_accept());
 }
 
 void SourceDialog::show_topics(bool shown) {
@@ -297,7 +305,7 @@ void SourceDialog::end_check(const Stop& stop, const std::optional<SourceInspect
     for (const QString& note : notes) lines << set_apart(note);
     show_verdict(lines.join('\n'), !scans ? "error" : notes.isEmpty() ? "good" : "warning");
     offer_remedies(summary->tour.findings);
-    ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(scans && how_read_->good());
+    ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(may_accept());
     emit checked(scans);
 }
 

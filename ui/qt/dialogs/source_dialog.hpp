@@ -63,6 +63,7 @@ class SourceDialog final : public QDialog {
     void browse();
     void begin_check();
     /// Anew, where it is to be read otherwise than at the last check.
+    bool may_accept() const;
     void check_reading();
     void show_topics(bool shown);
     void connect_fields();

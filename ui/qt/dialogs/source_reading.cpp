@@ -43,6 +43,7 @@ SourceReading::SourceReading(const SourceParams& source, QWidget* parent) : QWid
         QGridLayout* column = text ? wide : rows[short_fields++ % rows.size()];
         auto* field = new FieldOf<Configuracion>(parameter, column, this);
         connect(field, &ParameterField::edited, &pause_, qOverload<>(&QTimer::start));
+        connect(field, &ParameterField::edited, this, &SourceReading::edited);
         fields_.push_back(field);
     }
     for (QComboBox* choice : findChildren<QComboBox*>())

@@ -30,6 +30,8 @@ class SourceReading final : public QWidget {
     void mark_unused(const SourceParams& source);
 
   signals:
+    /// Somebody types, or has chosen.
+    void edited();
     /// Nobody has typed for a moment, after values were changed.
     void changed();
 
