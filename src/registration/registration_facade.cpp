@@ -72,6 +72,10 @@ double Registration::chi_square() const {
 std::optional<LaidDrawing> Registration::drawing() const {
     return laid_drawing(impl_->graph().poses, impl_->graph().edges);
 }
+const std::vector<SecondTour>& Registration::later_tours() const {
+    return impl_->later_tours();
+}
+
 RegistrationFigures Registration::figures() const {
     return impl_->figures();
 }

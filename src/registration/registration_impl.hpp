@@ -53,6 +53,7 @@ class Registration::Impl {
     std::span<const PoseEdge> told_edges() const;
     double chi_square() const { return tension(graph_.edges); }
     RegistrationFigures figures() const;
+    const std::vector<SecondTour>& later_tours() const { return figures_.later_tours; }
     std::vector<ChangedPlace> changes() const;
     std::optional<PathCorrection> correction() const {
         if (corrections_.empty()) return std::nullopt;

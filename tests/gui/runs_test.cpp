@@ -586,6 +586,11 @@ void RunsTest::a_map_is_gone_on_with() {
             .get();
     QCOMPARE(told.later_tours.size(), 1U);
     QVERIFY(told.later_tours.front().found.has_value());
+    const QString found = QString("at scan %1").arg(*told.later_tours.front().found + 1);
+    const auto* state = f.window->findChild<QLabel*>("status_state");
+    QTRY_VERIFY2(
+        state->toolTip().contains("Found in the map after") && state->toolTip().contains(found),
+        qPrintable(state->toolTip()));
     Configuracion held = now;
     held.source.hold = true;
     f.session.set_configuration(held);

@@ -155,6 +155,8 @@ class Registration {
     /// none.
     std::optional<LaidDrawing> drawing() const;
     RegistrationFigures figures() const;
+    /// Those of the figures.
+    const std::vector<SecondTour>& later_tours() const;
     /// Of two tours what is gone and what is new, larger than half a metre and more than 0.3 m off
     /// what was there; nothing where the second was not found. It takes some seconds for thousands
     /// of key scans.

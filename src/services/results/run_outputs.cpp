@@ -202,8 +202,7 @@ const Trajectory& odometry_path(const FinishedRun& finished) {
 /// The tours behind the first; none where nothing is registered.
 std::vector<SecondTour> later_tours(const FinishedRun& finished) {
     const Registration* const registration = finished.run.registration();
-    return registration == nullptr ? std::vector<SecondTour>()
-                                   : registration->figures().later_tours;
+    return registration == nullptr ? std::vector<SecondTour>() : registration->later_tours();
 }
 
 /// A map that is held is that of its own tour alone.

@@ -39,6 +39,7 @@ Snapshot snapshot_of(const Algoritmo& run, const SnapshotParts& parts) {
     if (const Registration* registration = run.registration()) {
         const auto keys = registration->keys();
         snapshot.keys.assign(keys.begin(), keys.end());
+        snapshot.later_tours = registration->later_tours();
         snapshot.loops = run_loops(registration->loops(), registration->refused_loops(),
                                    snapshot.best_trajectory);
         if (parts.key_scans) {

@@ -79,6 +79,7 @@ StatusLine::StatusLine(QStatusBar* bar, Session& session)
     connect(bar, &QStatusBar::messageChanged, bar, &QWidget::setToolTip);
     connect(&session, &Session::progress_changed, this, &StatusLine::refresh);
     connect(&session, &Session::snapshot_changed, this, &StatusLine::show_advice);
+    connect(&session, &Session::snapshot_changed, this, &StatusLine::show_find);
     refresh();
 }
 
@@ -146,6 +147,19 @@ void StatusLine::show_advice() {
     if (said == advice_) return;
     advice_ = said;
     refresh();
+}
+
+/// Of a tour that goes on with a map.
+void StatusLine::show_find() {
+    const std::shared_ptr<const Snapshot> snapshot = session_.snapshot();
+    if (!snapshot || snapshot->later_tours.empty()) {
+        found_.reset();
+        return;
+    }
+    const SecondTour& tour = snapshot->later_tours.back();
+    if (tour.found == std::exchange(found_, tour.found) || !found_) return;
+    notice(
+        tr("Found in the map after %1 m, at scan %2").arg(tour.way_m, 0, 'f', 1).arg(*found_ + 1));
 }
 
 /// What there is to doubt, and the last notices, which were perhaps not read in time.

@@ -43,17 +43,19 @@ class StatusLine final : public QObject {
   private:
     QString running_words(const Progress& progress) const;
     void show_advice();
+    void show_find();
     void show_tool_tip();
     QLabel* add(const char* name, const QString& longest);
 
     Session& session_;
     QStatusBar* bar_;
     std::optional<quint64> total_;
-    QString advice_;        ///< shown with the state; empty: none
-    QString doubts_;        ///< likewise
-    QString of_reference_;  ///< likewise
-    QString warnings_;      ///< all three
-    QStringList said_;      ///< the last notices, the newest first
+    std::optional<std::uint64_t> found_;  ///< where in the map of the tour before
+    QString advice_;                      ///< shown with the state; empty: none
+    QString doubts_;                      ///< likewise
+    QString of_reference_;                ///< likewise
+    QString warnings_;                    ///< all three
+    QStringList said_;                    ///< the last notices, the newest first
     StopReason stopped_by_ = StopReason::none;
     QLabel* state_;
     QLabel* scan_;

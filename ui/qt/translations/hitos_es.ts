@@ -8857,12 +8857,16 @@
         <translation>Hasta donde llegó, en el barrido %1</translation>
     </message>
     <message>
-        <source>As it was at its end, scan %1</source>
-        <translation>Como estaba al final, barrido %1</translation>
-    </message>
-    <message>
         <source>What is shown is foreseen; the run is not there yet. Try again when it is.</source>
         <translation>Lo que se muestra está previsto; la ejecución aún no ha llegado. Pruebe de nuevo cuando esté.</translation>
+    </message>
+    <message>
+        <source>The run is not at its end</source>
+        <translation>La ejecución no está en su final</translation>
+    </message>
+    <message>
+        <source>As it is at its end, scan %1</source>
+        <translation>Como queda en su final, barrido %1</translation>
     </message>
 </context>
 <context>
@@ -9338,6 +9342,10 @@
     <message>
         <source>Stopped, the tour goes on</source>
         <translation>Parado, el recorrido sigue</translation>
+    </message>
+    <message>
+        <source>Found in the map after %1 m, at scan %2</source>
+        <translation>Encontrado en el mapa tras %1 m, en el barrido %2</translation>
     </message>
 </context>
 <context>

@@ -66,9 +66,10 @@ struct Snapshot {
     std::optional<ParticleDetails> particle;  ///< where asked for and there
     std::vector<HistoryBranch> ancestry;      ///< where asked for
     Trajectory best_trajectory;
-    Trajectory online_trajectory;  ///< as Algoritmo::online_trajectory()
-    std::vector<KeyPose> keys;     ///< of registration; empty without
-    std::vector<RunLoop> loops;    ///< likewise, the refused ones too
+    Trajectory online_trajectory;         ///< as Algoritmo::online_trajectory()
+    std::vector<KeyPose> keys;            ///< of registration; empty without
+    std::vector<RunLoop> loops;           ///< likewise, the refused ones too
+    std::vector<SecondTour> later_tours;  ///< likewise
     /// Those of the keys, where asked for and the run draws its grid.
     std::vector<std::shared_ptr<const Scan>> key_scans;
     std::optional<double> chi_square;    ///< likewise: as Registration::chi_square()
