@@ -143,6 +143,10 @@ class Player final : public QObject {
 
     void advance() {
         if (!failure_.isEmpty()) return;
+        if (QGuiApplication::overrideCursor() != nullptr) {  // input waits
+            next();
+            return;
+        }
         if (at_ == steps_.size()) {
             if (QWidget* left = QApplication::activeModalWidget())
                 failure_ = "a dialog waits at the end: " + left->windowTitle();

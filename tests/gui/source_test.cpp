@@ -12,13 +12,19 @@
 #include <QMimeData>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QTimer>
 #include <QTreeWidget>
+#include <chrono>
+#include <string>
+#include <thread>
 
 #include "actions/command_line.hpp"
 #include "dialogs/source_dialog.hpp"
 #include "gui_fixture.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/capture/odometry_axes.hpp"
 #include "look/parameter_text.hpp"
+#include "session/background.hpp"
 #include "tests.hpp"
 
 namespace hitos::window {
@@ -168,6 +174,39 @@ void SourceTest::what_findings_advise_is_set_in_the_form() {
     });
     f.trigger("action_select_source");
     QVERIFY(std::abs(f.session.configuration().source.read.scan_delay_s) < 0.2);
+}
+
+void SourceTest::the_window_goes_on_while_a_source_is_opened() {
+    QTimer clock;
+    int ticks = 0;
+    connect(&clock, &QTimer::timeout, &clock, [&ticks] { ++ticks; });
+    clock.start(10);
+    const auto slowly = [](bool good) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(400));
+        if (!good) throw Error(verbatim("no"));
+        return 7;
+    };
+    QCOMPARE(in_background([&] { return slowly(true); }), 7);
+    QVERIFY2(ticks > 3, qPrintable(QString::number(ticks)));
+    QVERIFY_THROWS_EXCEPTION(Error, in_background([&] { return slowly(false); }));
+    QVERIFY(QGuiApplication::overrideCursor() == nullptr);
+    // Meanwhile nothing else can be opened. A long tour of a world is driven first.
+    Fixture f(false);
+    Configuracion slow = f.session.configuration();
+    slow.source.file = Fixture::source_file("data/worlds/campus.toml").toStdString();
+    slow.source.world_set = "tour.laps=4";
+    QString refused;
+    connect(&clock, &QTimer::timeout, &clock, [&] {
+        try {
+            f.session.set_configuration(Configuracion());
+        } catch (const Error& error) {
+            refused = error.what();
+        }
+    });
+    f.session.set_configuration(slow);
+    clock.stop();
+    QVERIFY2(refused.contains("another source is being opened"), qPrintable(refused));
+    QVERIFY(f.session.has_source());
 }
 
 void SourceTest::findings_are_set_apart() {

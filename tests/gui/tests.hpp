@@ -26,6 +26,7 @@ class SourceTest : public QObject {
     void damaged_lines_are_counted();
     void why_no_scan_can_be_read_is_told();
     void what_findings_advise_is_set_in_the_form();
+    void the_window_goes_on_while_a_source_is_opened();
     void findings_are_set_apart();
     void topics_of_another_recording_are_forgotten();
     void topics_are_listed_to_choose_from();

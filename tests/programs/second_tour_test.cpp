@@ -108,7 +108,7 @@ TEST_F(SecondTourTest, GoesOnWithTheMap) {
     // Each tour has a way of its own, none leads from the first one's end to the second's begin.
     const auto ways = [this](const std::string& file) {
         const std::string drawing = content(file);
-        const std::regex way("LWPOLYLINE\\s+5\\s+\\w+\\s+100\\s+AcDbEntity\\s+8\\s+PATH\\s");
+        const std::regex way(R"(LWPOLYLINE\s+5\s+\w+\s+100\s+AcDbEntity\s+8\s+PATH\s)");
         return std::distance(std::sregex_iterator(drawing.begin(), drawing.end(), way), {});
     };
     EXPECT_EQ(ways("first/map.dxf"), 1);

@@ -2,12 +2,12 @@
 // What the window costs a run and how fast it answers, a large graph too; or how late a driven
 // robot's scans are mapped.
 //
-// usage: build/release/bench/bench_window [--drive PACE | --graph POSES] ARGUMENT...
+// usage: build/release/bench/bench_window [--drive PACE | --graph POSES | --open 1] ARGUMENT...
 //
 // ARGUMENTs are those of `hitos`: a log to run with and without the window in turns, or, with
 // --drive, a world to drive through for half a minute, PACE times as fast as a clock; with --graph
-// a made graph of that many poses is opened, changed and solved. Needs no display, and leaves the
-// user's files alone. Exits with 1 where a limit is not kept.
+// a made graph of that many poses is opened, changed and solved; with --open a log is only opened.
+// Needs no display, and leaves the user's files alone. Exits with 1 where a limit is not kept.
 
 #include <fmt/core.h>
 
@@ -54,12 +54,13 @@ std::optional<int> taken(const char* option, int most, int& argc, char** argv) {
     return number;
 }
 
-int measure(UserFiles& files, const CommandLine& line, int pace, int poses) {
+int measure(UserFiles& files, const CommandLine& line, int pace, int poses, bool opening) {
     Session session;
     NobodyThere nobody;
     MainWindow window(session, files, nobody);
     window.resize(kSize);
     window.run_keeper().set_long_run(std::numeric_limits<double>::infinity());
+    if (opening) return measure_opening(window, line);
     open_named(window, line, Audience::nobody);
     if (nobody.warned()) return 1;
     if (poses > 0) return measure_graph(window, poses);
@@ -74,7 +75,8 @@ int main(int argc, char** argv) {
         constexpr int kMostPoses = 1'000'000;
         const std::optional<int> pace = taken("--drive", LiveDrive::kFastest, argc, argv);
         const std::optional<int> poses = taken("--graph", kMostPoses, argc, argv);
-        if (!pace || !poses) return 2;
+        const std::optional<int> opening = taken("--open", 1, argc, argv);
+        if (!pace || !poses || !opening) return 2;
         CommandLine line;
         if (const auto code = parse(argc, argv, line)) return *code;
         if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -85,7 +87,7 @@ int main(int argc, char** argv) {
         UserFiles files(scratch.path());
         PaceControl::set_full_speed(files.settings());
         speak(application, "en");
-        const int code = measure(files, line, *pace, *poses);
+        const int code = measure(files, line, *pace, *poses, *opening > 0);
         QThreadPool::globalInstance()->waitForDone();
         return code;
     } catch (const std::exception& error) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much the window costs, how fast it answers (with a large graph too), and how late a driven
-// robot's scans are mapped.
+// How much the window costs, how fast it answers (with a large graph too), how soon a log's
+// first scan is there, and how late a driven robot's scans are mapped.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,7 @@
 namespace hitos::window {
 
 class MainWindow;
+struct CommandLine;
 class Session;
 
 /// Of ascending numbers; 0 where there are none.
@@ -28,6 +29,11 @@ int measure_cost(MainWindow& window, Session& session);
 /// code: 0 where every scan came within 50 ms and the pace was kept. Throws hitos::Error where the
 /// session has no world.
 int measure_lateness(MainWindow& window, Session& session, int pace);
+
+/// Opens the log that the line names and prints how soon its first scan stands in the views, how
+/// long the survey of the whole takes behind that, and how late input was answered meanwhile.
+/// Returns the exit code: 0 where the first scan was there within half a second.
+int measure_opening(MainWindow& window, const CommandLine& line);
 
 /// Opens a made graph of so many poses in a window of its own, changes it by hand, solves it
 /// plainly and robustly and zooms, and prints how late input was answered meanwhile. Returns the

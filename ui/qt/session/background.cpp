@@ -3,6 +3,10 @@
 
 #include <sys/resource.h>
 
+#include <QCoreApplication>
+#include <QEventLoop>
+#include <QGuiApplication>
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
@@ -30,6 +34,18 @@ void begin_background_work() {
     constexpr int kNiceness = 5;
     constexpr id_t kThisThread = 0;
     setpriority(PRIO_PROCESS, kThisThread, kNiceness);
+}
+
+void wait_until(const std::function<bool(std::chrono::milliseconds)>& done) {
+    using std::chrono::milliseconds;
+    constexpr milliseconds kAtOnce(40);  // as somebody sees it
+    constexpr milliseconds kPause(10);
+    if (done(kAtOnce)) return;
+    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+    do {
+        QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
+    } while (!done(kPause));
+    QGuiApplication::restoreOverrideCursor();
 }
 
 }  // namespace hitos::window

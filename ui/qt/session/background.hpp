@@ -2,6 +2,8 @@
 // Work beside the window.
 #pragma once
 
+#include <chrono>
+#include <functional>
 #include <future>
 
 namespace hitos::window {
@@ -12,15 +14,21 @@ namespace hitos::window {
 /// fast as before. And clears what the window's thread has left in the vector registers.
 void begin_background_work();
 
+/// Until `done` says so, which may wait that long. Where it takes its time the window is painted
+/// meanwhile and timers go on; what somebody presses waits.
+void wait_until(const std::function<bool(std::chrono::milliseconds)>& done);
+
 /// Calls `make` on such a thread and waits for it: what it makes works beside the window.
 template <class Make>
 auto in_background(Make make) {
-    return std::async(std::launch::async,
-                      [&make] {
-                          begin_background_work();
-                          return make();
-                      })
-        .get();
+    auto made = std::async(std::launch::async, [&make] {
+        begin_background_work();
+        return make();
+    });
+    wait_until([&made](std::chrono::milliseconds at_most) {
+        return made.wait_for(at_most) == std::future_status::ready;
+    });
+    return made.get();
 }
 
 }  // namespace hitos::window

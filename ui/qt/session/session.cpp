@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session.hpp"
 
+#include <QScopedValueRollback>
 #include <QThreadPool>
 #include <algorithm>
 #include <filesystem>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "background.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/base/thread_clock.hpp"
 #include "hitos/simulation/drive/simulated_tour_reader.hpp"
 #include "hitos/workbench/open_tour.hpp"
@@ -91,6 +93,11 @@ void Session::set_live(const Configuracion& configuration,
 void Session::open(const Configuracion& configuration, std::shared_ptr<const SimulatedTour> live,
                    std::shared_ptr<IncomingTour> incoming) {
     check(configuration);
+    if (opening_) {
+        throw Error(message(
+            HITOS_TEXT("Errors", "another source is being opened; try again when it is there")));
+    }
+    const QScopedValueRollback opening(opening_, true);
     std::unique_ptr<RunWorker> next;
     std::optional<Truth> truth;
     std::shared_ptr<const SimulatedTour> simulated;

@@ -145,6 +145,7 @@ class Session final : public QObject {
     std::shared_ptr<const SimulatedTour> live_;
     std::shared_ptr<const SimulatedTour> simulated_;
     std::shared_ptr<IncomingTour> incoming_;
+    bool opening_ = false;    ///< a source, which may take its time
     bool following_ = false;  ///< the run goes where the live tour is
     References user_references_;
     References references_;       ///< with the truth

@@ -3486,6 +3486,10 @@
         <source>leave them out</source>
         <translation>déjelas fuera</translation>
     </message>
+    <message>
+        <source>another source is being opened; try again when it is there</source>
+        <translation>se está abriendo otra fuente; vuelva a intentarlo cuando esté</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
