@@ -119,6 +119,8 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
     ui_->reading->setSizePolicy(place_kept);
     ui_->reading->hide();
     ui_->path->setText(QString::fromStdString(source_.file));
+    ui_->path->setFocus();  // another file is what most come for
+    ui_->path->selectAll();
     ui_->scan_topic->setText(QString::fromStdString(source_.read.scan_topic));
     ui_->odom_topic->setText(QString::fromStdString(source_.read.odom_topic));
     how_read_ = new SourceReading(source_, this);
