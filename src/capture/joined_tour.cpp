@@ -37,7 +37,7 @@ class JoinedTour final : public TourReader {
   public:
     JoinedTour(FirstTour first, std::unique_ptr<TourReader> second, TourBegin begin)
         : run_(std::move(first.results)),
-          scans_(first.scans),
+          stamps_(std::move(first.stamps_s)),
           first_(std::move(first.reader)),
           second_(std::move(second)),
           begin_(begin) {}
@@ -45,17 +45,21 @@ class JoinedTour final : public TourReader {
     std::optional<Scan> next_scan() override {
         if (!scans_of_second_) {
             if (std::optional<Scan> scan = first_->next_scan()) {
+                check_first(*scan);
                 ++read_;
                 return scan;
             }
-            check_first();
+            check_first_whole();
         }
         std::optional<Scan> scan = second_->next_scan();
         if (!scan) {
             if (!scans_of_second_) throw without_scans();
             return scan;
         }
-        if (!std::exchange(scans_of_second_, true)) scan->begins_tour = begin_;
+        if (!std::exchange(scans_of_second_, true)) {
+            begin_.lines_before = behind().lines;
+            scan->begins_tour = begin_;
+        }
         put_behind(*scan);
         return scan;
     }
@@ -65,7 +69,7 @@ class JoinedTour final : public TourReader {
         }
         std::optional<Odometria> reading = second_->next_odometry();
         if (!reading) return reading;
-        odometry_of_second_ = true;
+        if (!std::exchange(odometry_of_second_, true)) reading->lines_before = behind().lines;
         put_behind(*reading);
         return reading;
     }
@@ -76,7 +80,7 @@ class JoinedTour final : public TourReader {
         read_ = 0;
     }
     std::unique_ptr<TourReader> reopen() const override {
-        return std::make_unique<JoinedTour>(FirstTour{first_->reopen(), run_, scans_},
+        return std::make_unique<JoinedTour>(FirstTour{first_->reopen(), run_, stamps_},
                                             second_->reopen(), begin_);
     }
     const ReadReport& report() const override {
@@ -94,13 +98,24 @@ class JoinedTour final : public TourReader {
     std::vector<TourFinding> findings() const override { return second_->findings(); }
 
   private:
-    void check_first() const {
-        if (scans_ == 0 || read_ == scans_) return;
+    /// Each scan was made when its run says.
+    void check_first(const Scan& scan) const {
+        constexpr double kSame = 1e-6;  // [s]
+        if (read_ >= stamps_.size() || std::abs(scan.stamp_s() - stamps_[read_]) <= kSame) return;
+        throw FileError(run_,
+                        HITOS_TEXT("Errors",
+                                   "holds the results of a tour whose scan %1 has the stamp %2 s, "
+                                   "and in its log %3 that has %4 s: the log has changed; run it "
+                                   "again"),
+                        read_ + 1, stamps_[read_], first_->name(), scan.stamp_s());
+    }
+    void check_first_whole() const {
+        if (stamps_.empty() || read_ == stamps_.size()) return;
         throw FileError(run_,
                         HITOS_TEXT("Errors",
                                    "holds the results of %1 scans, and its log %2 has %3: "
                                    "it was stopped, or the log has changed; run it again"),
-                        scans_, first_->name(), read_);
+                        stamps_.size(), first_->name(), read_);
     }
     FormatError without_scans() const {
         return {second_->name(), 0,
@@ -125,11 +140,15 @@ class JoinedTour final : public TourReader {
             end_s = std::max(end_s, item.time_s);
             behind.lines = std::max(behind.lines, item.line);
         };
-        while (const std::optional<Scan> scan = all->next_scan()) note(*scan);
+        while (const std::optional<Scan> scan = all->next_scan()) {
+            note(*scan);
+            end_s = std::max(end_s, scan->stamp_s());  // what paths are stamped with goes on too
+        }
         while (const std::optional<Odometria> reading = all->next_odometry()) note(*reading);
         double begin_s = std::numeric_limits<double>::infinity();
         const std::unique_ptr<TourReader> other = second_->reopen();
-        if (const std::optional<Scan> scan = other->next_scan()) begin_s = scan->time_s;
+        if (const std::optional<Scan> scan = other->next_scan())
+            begin_s = std::min(scan->time_s, scan->stamp_s());
         if (const std::optional<Odometria> reading = other->next_odometry())
             begin_s = std::min(begin_s, reading->time_s);
         if (begin_s <= end_s) behind.time_s = std::floor(end_s - begin_s) + 1.0;
@@ -142,7 +161,7 @@ class JoinedTour final : public TourReader {
     }
 
     std::string run_;
-    std::uint64_t scans_;
+    std::vector<double> stamps_;  // of the first's scans; empty: any
     std::unique_ptr<TourReader> first_;
     std::unique_ptr<TourReader> second_;
     TourBegin begin_;

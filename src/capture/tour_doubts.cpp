@@ -322,6 +322,7 @@ void TourExamination::doubt_heading(std::vector<TourFinding>& found) const {
 }
 
 std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told) const {
+    if (!next_.empty()) return next_.front().findings(std::move(told));
     const auto holds = [](const std::vector<TourFinding>& all, Kind kind) {
         return std::ranges::count(all, kind, &TourFinding::kind) > 0;
     };

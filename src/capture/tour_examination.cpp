@@ -34,7 +34,21 @@ double distance_of(const Twist& twist, double seconds) {
 
 }  // namespace
 
+/// Of a map's tour it was said when that was mapped, and nothing joins the two: the one behind it
+/// is examined by itself, from where both its sequences have begun.
+void TourExamination::begin_next(bool& begun, std::uint64_t lines_before) {
+    if (next_.empty()) next_.emplace_back(read_);
+    next_.front().lines_before_ = lines_before;
+    begun = true;
+    if (!scans_of_next_ || !odometry_of_next_) return;
+    TourExamination next = std::move(next_.front());
+    *this = std::move(next);
+}
+
 void TourExamination::note(const Odometria& odometry) {
+    if (odometry.lines_before > lines_before_ && !odometry_of_next_)
+        begin_next(odometry_of_next_, odometry.lines_before);
+    if (odometry_of_next_) return next_.front().note(odometry);
     if (readings_ == 0) last_.time_s = odometry.time_s;
     if (readings_ > 0 && odometry.time_s <= last_.time_s) return;
     const double seconds = odometry.time_s - last_.time_s;
@@ -53,7 +67,7 @@ void TourExamination::note(const Odometria& odometry) {
     constexpr double kLeap = 1.0;
     if (way > kLeap && way > kGreatestSpeed * seconds) {
         ++leaps_;
-        if (way > longest_step_m_) longest_step_line_ = odometry.line;
+        if (way > longest_step_m_) longest_step_line_ = odometry.line - lines_before_;
         longest_step_m_ = std::max(longest_step_m_, way);
     }
     // What the reader puts a millisecond behind the one before says nothing of a speed.
@@ -115,9 +129,9 @@ TourExamination::View TourExamination::view_of(const Scan& scan) const {
 }
 
 void TourExamination::note(const Scan& scan) {
-    // Of a map's tour it was said when that was mapped, and nothing joins the two.
-    if (scan.begins_tour && scans_ > 0 && scan.time_s > last_scan_s_)
-        *this = TourExamination(std::move(read_));
+    if (scan.begins_tour && scan.begins_tour->lines_before > lines_before_ && !scans_of_next_)
+        begin_next(scans_of_next_, scan.begins_tour->lines_before);
+    if (scans_of_next_) return next_.front().note(scan);
     note_leap(scan);
     if (scans_ > 0 && scan.time_s <= last_scan_s_) {
         // A tour that is read again has the same lines again.

@@ -60,7 +60,7 @@ void TourExamination::note_pause(const Scan& scan) {
     before.time_s = last_scan_s_;
     before.fan = last_fan_;
     before.points = last_points_;
-    pauses_.push_back({{view_of(before), view_of(scan)}, scan.line});
+    pauses_.push_back({{view_of(before), view_of(scan)}, scan.line - lines_before_});
 }
 
 void TourExamination::doubt_pauses(std::vector<TourFinding>& found) const {

@@ -17,17 +17,20 @@ constexpr std::uint64_t kWholeTour = std::numeric_limits<std::uint64_t>::max();
 /// Collects what a summary says beyond the counts.
 class Stamps {
   public:
-    void add(double time_s) {
+    /// `begins`: another tour does.
+    void add(double time_s, bool begins = false) {
+        if (begins) pauses_ += std::max(0.0, time_s - last_);
         first_ = std::min(first_, time_s);
         last_ = std::max(last_, time_s);
     }
     bool any() const { return first_ <= last_; }
     double first() const { return first_; }
-    double duration() const { return last_ - first_; }
+    double duration() const { return last_ - first_ - pauses_; }
 
   private:
     double first_ = std::numeric_limits<double>::infinity();
     double last_ = -std::numeric_limits<double>::infinity();
+    double pauses_ = 0.0;  // between tours
 };
 
 [[noreturn]] void refuse_empty(const TourReader& reader) {
@@ -100,7 +103,7 @@ TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress) {
                 return;
             }
             odometry_line = reading->line;
-            stamps.add(reading->time_s);
+            stamps.add(reading->time_s, reading->lines_before > 0);
             examination.note(*reading);
             const double seconds = reading->time_s - clock_s.value_or(reading->time_s);
             summary.distance_m += std::hypot(reading->twist.v, reading->twist.v_lateral) * seconds;
@@ -109,7 +112,8 @@ TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress) {
     };
     while (const std::optional<Scan> scan = reader.next_scan()) {
         if (reader.report().scans == 1) summary.fan = scan->fan;
-        stamps.add(scan->time_s);
+        if (scan->begins_tour) summary.scans_of_map = reader.report().scans - 1;
+        stamps.add(scan->time_s, scan->begins_tour.has_value());
         summary.points += scan->points.size();
         summary.sightings += scan->landmarks.size();
         for (const LandmarkSighting& seen : scan->landmarks) {

@@ -94,9 +94,13 @@ std::unique_ptr<TourReader> open_one(const SourceParams& source, std::uint64_t r
     return make_scan_odometry(std::move(reader));
 }
 
-/// How many scans the tour of a folder of results has.
-std::uint64_t scans_of(const std::string& folder) {
-    return read_trajectory(std::filesystem::path(folder) / "trajectory.tum").size();
+/// When the scans of the tour of a folder of results were made.
+std::vector<double> stamps_of(const std::string& folder) {
+    std::vector<double> stamps;
+    for (const StampedPose& pose :
+         read_trajectory(std::filesystem::path(folder) / "trajectory.tum"))
+        stamps.push_back(pose.time_s);
+    return stamps;
 }
 
 std::unique_ptr<TourReader> open_behind(const SourceParams& source, std::uint64_t run_seed,
@@ -105,7 +109,7 @@ std::unique_ptr<TourReader> open_behind(const SourceParams& source, std::uint64_
     if (maps == kMostMaps) throw endless(source.map);
     const auto [folder, before] = map_in(source.map);
     return make_joined_tour(
-        {open_behind(before.source, before.run.seed, maps + 1), folder, scans_of(folder)},
+        {open_behind(before.source, before.run.seed, maps + 1), folder, stamps_of(folder)},
         open_one(source, run_seed), {source.hold, start_of(source.start)});
 }
 
@@ -128,7 +132,7 @@ std::vector<GraphEdit> changes_of_map(const Configuracion& configuration) {
     const Map map = map_in(configuration.source.map);
     const std::string& before = map.configuration.registration.edits;
     if (configuration.registration.edits == before) return {};
-    const std::uint64_t scans = scans_of(map.folder);
+    const std::uint64_t scans = stamps_of(map.folder).size();
     const std::vector<GraphEdit> of_map = parse_graph_edits(before);
     const std::vector<GraphEdit> now = parse_graph_edits(configuration.registration.edits);
     std::vector<GraphEdit> changed;

@@ -87,12 +87,19 @@ void tell_choice(const std::string& source, const SourceInspection& found, Repor
     tell_first_lines(found, report);
 }
 
+/// As of a run's results.
+std::string scans_words(const TourSummary& tour) {
+    const std::string words = plural(tour.report.scans, "scan");
+    if (tour.scans_of_map == 0) return words;
+    return fmt::format("{}, {} of them the map's", words, tour.scans_of_map);
+}
+
 void tell(const std::string& source, const SourceInspection& found, Report& report) {
     const TourSummary& tour = found.tour;
     const double scan_rate = per_second(tour.report.scans, tour.duration_s);
     const double odometry_rate = per_second(tour.report.odometry, tour.duration_s);
     report.say("{}: {}\n", on_one_line(source), tour.format);
-    report.say("{} ({:.1f}/s), {} ({:.1f}/s)\n", plural(tour.report.scans, "scan"), scan_rate,
+    report.say("{} ({:.1f}/s), {} ({:.1f}/s)\n", scans_words(tour), scan_rate,
                plural(tour.report.odometry, "odometry reading"), odometry_rate);
     report.say("{:.1f} s from {:.6f} s on, {:.1f} m by the odometry\n", tour.duration_s,
                tour.first_stamp_s, tour.distance_m);
@@ -146,8 +153,7 @@ void check_source(const InfoOptions& options) {
     const SourceInspection found = inspected(options, source);
     if (!found.choice.empty()) throw ConfigError("log", found.choice);
     Report report(options.json);
-    report.say("{}: {}, {}, {}\n", on_one_line(source), found.tour.format,
-               plural(found.tour.report.scans, "scan"),
+    report.say("{}: {}, {}, {}\n", on_one_line(source), found.tour.format, scans_words(found.tour),
                plural(found.tour.report.odometry, "odometry reading"));
     report.say("{}", damage_text(found.tour.report));
     report.object() = {{"source", source},

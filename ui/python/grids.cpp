@@ -110,8 +110,8 @@ the lowest (least y), column 0 the leftmost. To draw it:
     plt.imshow(grid.grey, cmap="gray", vmin=0, vmax=255, origin="lower", extent=grid.extent))")
         .def_property_readonly(
             "grey", [](const std::shared_ptr<GridArray>& g) { return view_of_cells(g, g->grey); },
-            R"(rows x columns of 8 bits: 255 free, 0 occupied, linear in the probability; 205
-(hitos.UNKNOWN_GREY) where nothing is known. A read-only view.)")
+            R"(rows x columns of 8 bits: 255 free, 0 occupied, linear in the probability from
+either to 205 (hitos.UNKNOWN_GREY), which is where nothing is known. A read-only view.)")
         .def_property_readonly(
             "log_odds",
             [](const std::shared_ptr<GridArray>& g) { return view_of_cells(g, g->log_odds); },

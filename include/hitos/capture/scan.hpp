@@ -43,8 +43,9 @@ struct Fan {
 
 /// That another tour comes before, in whose map this one begins anywhere.
 struct TourBegin {
-    bool hold = false;          ///< that map stays as it is
-    std::optional<Pose> start;  ///< where about in it the robot begins, as somebody says
+    bool hold = false;               ///< that map stays as it is
+    std::optional<Pose> start;       ///< where about in it the robot begins, as somebody says
+    std::uint64_t lines_before = 0;  ///< of the log of that tour: its own come on top of them
     friend bool operator==(const TourBegin&, const TourBegin&) = default;
 };
 
@@ -106,6 +107,8 @@ struct Odometria {
     double time_s = 0.0;  ///< strictly increasing from reading to reading
     Twist twist;          ///< m/s, m/s, rad/s
     std::uint64_t line = 0;
+    /// Of the first one of a tour behind another: as TourBegin has it; else 0.
+    std::uint64_t lines_before = 0;
     friend bool operator==(const Odometria&, const Odometria&) = default;
 };
 

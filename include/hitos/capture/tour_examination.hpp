@@ -188,11 +188,16 @@ class TourExamination {
     void doubt_pauses(std::vector<TourFinding>& found) const;
     void note_self(const Scan& scan);
     void note_pause(const Scan& scan);
+    void begin_next(bool& begun, std::uint64_t lines_before);
 
     ReadOptions read_;
-    std::vector<StampedPose> path_;  ///< by the odometry, thinned where it grows long
-    std::vector<double> headings_;   ///< of the path's poses, whole turns counted [rad]
-    double heading_rad_ = 0.0;       ///< of the last
+    std::vector<TourExamination> next_;  ///< of the tour behind, where one of its sequences begun
+    bool scans_of_next_ = false;         ///< the scans are its
+    bool odometry_of_next_ = false;
+    std::uint64_t lines_before_ = 0;  ///< of the log of the tour before
+    std::vector<StampedPose> path_;   ///< by the odometry, thinned where it grows long
+    std::vector<double> headings_;    ///< of the path's poses, whole turns counted [rad]
+    double heading_rad_ = 0.0;        ///< of the last
     std::size_t path_stride_ = 1;
     std::size_t readings_ = 0;
     StampedPose last_;

@@ -55,6 +55,7 @@ struct WeightedPose {
 struct HistoryBranch {
     std::vector<Pose> poses;  ///< from the fork or the first scan to the next fork or the newest
     std::uint32_t particles = 0;  ///< hypotheses that have it behind them
+    std::uint64_t first = 0;      ///< scan of its first pose, from 0
 };
 
 /// Of the last step, where nothing else is said.

@@ -36,7 +36,7 @@ class Block {
         ++known_;
     }
     std::uint8_t grey() const {
-        constexpr std::uint8_t kOccupied = 102;  // likelier than 0.6
+        constexpr std::uint8_t kOccupied = 164;  // likelier than 0.6
         if (darkest_ < kOccupied) return darkest_;
         if (known_ == 0) return kUnknownGrey;
         return static_cast<std::uint8_t>((sum_ + known_ / 2) / known_);

@@ -19,6 +19,8 @@
 namespace hitos {
 namespace {
 
+/// Stands before the first pose of a tour behind another one; to other programs it is a comment.
+constexpr std::string_view kBegins = "# another tour begins";
 constexpr std::array<std::string_view, 8> kTrajectoryFields = {"t",  "x",  "y",  "z",
                                                                "qx", "qy", "qz", "qw"};
 
@@ -182,11 +184,13 @@ Trajectory parse_trajectory(std::string_view text, const std::string& name) {
     }
     Columns columns;
     Turns turns;
+    bool begins = false;
     std::uint64_t number = 0;
     while (const auto line = input::next_line(text)) {
         ++number;
         const std::string_view content = input::trimmed(*line);
         if (content.empty()) continue;
+        begins = begins || (content == kBegins && !trajectory.empty());
         if (content.starts_with('#') || trajectory.empty()) {
             if (const auto named = named_columns(content)) {
                 columns = *named;
@@ -195,6 +199,7 @@ Trajectory parse_trajectory(std::string_view text, const std::string& name) {
         }
         if (content.starts_with('#')) continue;
         trajectory.push_back(pose_from(content, columns, {name, number}, turns));
+        trajectory.back().begins = std::exchange(begins, false);
     }
     if (trajectory.empty()) {
         throw FormatError(
@@ -228,6 +233,7 @@ std::string trajectory_to_text(const Trajectory& trajectory) {
                                 i, t, pose.x, pose.y, pose.theta));
         }
         const double half = wrap_angle(pose.theta) / 2.0;
+        if (trajectory[i].begins && i > 0) text.append(kBegins).append(1, '\n');
         text += fmt::format("{} {} {} 0 0 0 {} {}\n", without_sign_of_zero(t),
                             fixed_point(pose.x, 9), fixed_point(pose.y, 9),
                             fixed_point(std::sin(half), 9), fixed_point(std::cos(half), 9));

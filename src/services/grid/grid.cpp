@@ -387,8 +387,11 @@ Point2 Grid::origin() const {
 
 std::uint8_t grey_of(float log_odds) {
     if (log_odds == 0.0F) return kUnknownGrey;
+    constexpr double kFree = 255.0;
     const double free = 1.0 / (1.0 + std::exp(static_cast<double>(log_odds)));
-    return static_cast<std::uint8_t>(std::lround(255.0 * free));
+    const double grey = free < 0.5 ? kUnknownGrey * 2.0 * free
+                                   : kUnknownGrey + (kFree - kUnknownGrey) * (2.0 * free - 1.0);
+    return static_cast<std::uint8_t>(std::lround(grey));
 }
 
 Grid::Picture Grid::picture() const {

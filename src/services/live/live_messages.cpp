@@ -217,7 +217,14 @@ std::string pose_message(const LiveState& state) {
 
 std::string path_message(const LiveState& state) {
     const Trajectory& path = state.snapshot.best_trajectory;
-    return poses_text(state.snapshot, path.size(), [&](std::size_t i) { return path[i].pose; });
+    std::string text =
+        poses_text(state.snapshot, path.size(), [&](std::size_t i) { return path[i].pose; });
+    std::vector<std::size_t> begins;
+    for (std::size_t i = 1; i < path.size(); ++i)
+        if (path[i].begins) begins.push_back((i - 1) / stride_of(path.size()) + 1);
+    if (begins.empty()) return text;
+    text.pop_back();
+    return text + fmt::format(R"(,"begins":[{}]}})", fmt::join(begins, ","));
 }
 
 std::string particles_message(const LiveState& state) {

@@ -295,7 +295,7 @@ PlanarGraph graph_of(const Algoritmo& run) {
         const std::optional<Scan> scan = reader->next_scan();
         if (!scan) break;
         track.controls_until(*scan, controls);
-        if (i > 0) {
+        if (i > 0 && !scan->begins_tour) {  // nothing was driven to there
             graph.edges.push_back(
                 robot != nullptr ? step_by_model(*robot, i, poses[i - 1], controls)
                                  : step_by_wheels(configuration.registration, edits, i, controls));

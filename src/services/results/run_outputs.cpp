@@ -354,8 +354,12 @@ std::vector<RunOutput> make_outputs() {
         where(
             [](const Run& r) { return r.run.registration() != nullptr; },
             one_text("loops.csv", [](const Run& r) { return loops_csv(r.summary.quality.loops); })),
-        where([](const Run& r) { return !later_tours(r).empty(); },
-              output({"changes.csv", "changes.png"}, write_changes)),
+        where(
+            [](const Run& r) {
+                const std::vector<SecondTour> tours = later_tours(r);
+                return !tours.empty() && tours.back().found.has_value();
+            },
+            output({"changes.csv", "changes.png"}, write_changes)),
         where([](const Run& r) { return r.references.trajectory.has_value(); },
               output({"paths.png", "paths.gp"}, write_paths)),
         rereading(where([](const Run& r) { return !r.references.walls.empty() && shows_space(r); },

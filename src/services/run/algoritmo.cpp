@@ -144,6 +144,7 @@ bool Algoritmo::step(AssociationRecord* record) {
 /// What was before is a tour by itself, at its end: its map is that of its own run.
 void Algoritmo::begin_second_tour() {
     step_controls_.clear();
+    state_.pauses_s += state_.scan.stamp_s() - odometry_trajectory().back().time_s;
     finish(true);
     state_.held = state_.scan.begins_tour->hold;
 }
@@ -278,7 +279,7 @@ void Algoritmo::restart() {
 
 double Algoritmo::duration_s() const {
     const Trajectory& path = odometry_trajectory();
-    return path.empty() ? 0.0 : path.back().time_s - path.front().time_s;
+    return path.empty() ? 0.0 : path.back().time_s - path.front().time_s - state_.pauses_s;
 }
 
 }  // namespace hitos

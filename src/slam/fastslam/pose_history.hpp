@@ -145,11 +145,13 @@ class PoseHistory {
             if (branch_of[leaf] == kNoBranch) open(leaf, level);
             ++branches[branch_of[leaf]].particles;
         }
-        for (; !level.empty(); level.swap(before)) {
+        std::uint64_t behind = 0;  // scans, until the newest
+        for (; !level.empty(); level.swap(before), ++behind) {
             before.clear();
             for (const Node node : level) {
                 const std::size_t branch = branch_of[node];
                 branches[branch].poses.push_back(poses_[node]);
+                branches[branch].first = behind;
                 const Node parent = parents_[node];
                 if (parent == kNone) continue;
                 if (references_[parent] == 1) {
@@ -159,10 +161,14 @@ class PoseHistory {
                 }
                 if (branch_of[parent] == kNoBranch) open(parent, before);
                 branches[branch].poses.push_back(poses_[parent]);
+                branches[branch].first = behind + 1;
                 branches[branch_of[parent]].particles += branches[branch].particles;
             }
         }
-        for (HistoryBranch& branch : branches) std::ranges::reverse(branch.poses);
+        for (HistoryBranch& branch : branches) {
+            std::ranges::reverse(branch.poses);
+            branch.first = behind - 1 - branch.first;
+        }
         std::ranges::reverse(branches);
         return branches;
     }

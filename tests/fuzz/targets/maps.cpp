@@ -132,7 +132,8 @@ bool check_trajectory(std::string_view input) {
     for (const auto& [time_s, pose, begins] : *path) {
         require(std::isfinite(time_s) && is_finite({pose.x, pose.y}), "poses are finite");
         require(pose.theta > -kPi && pose.theta <= kPi, "headings are wrapped");
-        require(!begins, "a file has one tour");
+        require(!begins || time_s != path->front().time_s || path->size() > 1,
+                "no tour comes before the first pose");
     }
     const Trajectory again = parse_trajectory(trajectory_to_text(*path), kMapName);
     constexpr double kDecimals = 1e-9;

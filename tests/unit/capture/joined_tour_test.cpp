@@ -77,6 +77,32 @@ TEST(JoinedTour, PutsTheSecondTourBehindTheFirst) {
     }
 }
 
+/// Scans whose clock differs from the odometry's keep their stamps' order too.
+TEST(JoinedTour, PutsDelayedScansBehindByTheirStampsToo) {
+    const auto delayed = [](double begin_s) {
+        auto tour = std::make_shared<RecordedTour>();
+        for (int i = 0; i < 3; ++i) {
+            Scan scan;
+            scan.delay_s = 50.0;
+            scan.time_s = begin_s + i + scan.delay_s;
+            scan.line = 2 * static_cast<std::uint64_t>(i) + 2;
+            tour->scans.items.push_back(scan);
+            tour->odometry.items.push_back({scan.time_s - 0.1, {0.1, 0.0, 0.0}, scan.line - 1});
+        }
+        return std::make_unique<RecordedReader>(tour);
+    };
+    const auto tour = make_joined_tour({tour_from(100.0, 0)}, delayed(60.0));
+    const Both read = read_all(*tour, false);
+    ASSERT_EQ(read.scans.size(), 8U);
+    for (std::size_t i = 1; i < read.scans.size(); ++i) {
+        EXPECT_GT(read.scans[i].stamp_s(), read.scans[i - 1].stamp_s());
+        EXPECT_GT(read.scans[i].time_s, read.scans[i - 1].time_s);
+    }
+    EXPECT_EQ(read.scans[5].begins_tour->lines_before, 15U);
+    EXPECT_EQ(read.odometry[10].lines_before, 15U);
+    EXPECT_EQ(read.odometry[11].lines_before, 0U);
+}
+
 TEST(JoinedTour, LeavesStampsThatGoOnAsTheyAre) {
     const auto tour = make_joined_tour({tour_from(100.0, 0)}, tour_from(1000.5, 0));
     const Both read = read_all(*tour, false);
@@ -95,16 +121,23 @@ TEST(JoinedTour, OfThreeToursTheLastTwoBegin) {
         if (i == 0) continue;
         EXPECT_GT(read.scans[i].time_s, read.scans[i - 1].time_s);
     }
-    EXPECT_EQ(read.scans[5].begins_tour, begin);
-    EXPECT_EQ(read.scans[10].begins_tour, TourBegin());
+    ASSERT_TRUE(read.scans[5].begins_tour && read.scans[10].begins_tour);
+    EXPECT_EQ(read.scans[5].begins_tour->hold, begin.hold);
+    EXPECT_EQ(read.scans[5].begins_tour->start, begin.start);
+    EXPECT_EQ(read.scans[5].begins_tour->lines_before, 15U);
+    EXPECT_EQ(read.scans[10].begins_tour->start, std::nullopt);
+    EXPECT_EQ(read.scans[10].begins_tour->lines_before, 30U);
 }
 
 TEST(JoinedTour, RefusesAFirstTourThatIsAnotherAndASecondWithoutScans) {
-    EXPECT_EQ(read_all(*make_joined_tour({tour_from(1, 0), "run", 5}, tour_from(9, 0)), true)
-                  .scans.size(),
-              10U);
-    const auto other = make_joined_tour({tour_from(1, 0), "run", 4}, tour_from(9, 0));
-    EXPECT_THROW(read_all(*other, true), FileError);
+    const std::vector<double> stamps{1.0, 2.0, 3.0, 4.0, 5.0};
+    const auto joined = [](std::vector<double> of_run) {
+        return make_joined_tour({tour_from(1, 0), "run", std::move(of_run)}, tour_from(9, 0));
+    };
+    EXPECT_EQ(read_all(*joined(stamps), true).scans.size(), 10U);
+    EXPECT_THROW(read_all(*joined({1.0, 2.0, 3.0, 4.0}), true), FileError);
+    EXPECT_THROW(read_all(*joined({1.0, 2.0, 3.0, 4.0, 5.0, 6.0}), true), FileError);
+    EXPECT_THROW(read_all(*joined({1.0, 2.0, 3.01, 4.0, 5.0}), true), FileError);
     const auto empty = make_joined_tour(
         {tour_from(1, 0)}, std::make_unique<RecordedReader>(std::make_shared<RecordedTour>()));
     EXPECT_THROW(read_all(*empty, true), FormatError);

@@ -273,22 +273,26 @@ void ConfigurationActions::go_on() {
         const Configuracion& now = session_.configuration();
         Configuracion next = configuration_to_go_on(folder.toStdString());
         next.run = now.run;
+        const std::string world_set = next.source.world_set;
         next.source = now.source;
+        next.source.world_set = world_set;
         next.source.map = folder.toStdString();
         next.source.start.clear();
         files_.note_opened("results", folder);
-        choose_source(next, false);
+        choose_source(next, false, {}, true);
     } catch (const std::exception& error) {
         prompts_.warn(window_, tr("There is no map to go on with"), words_of(error));
     }
 }
 
 /// Asks for the source of a configuration in the form, beginning with its own; `suited` says what
-/// that one decided already. False where the user would have none.
-bool ConfigurationActions::choose_source(Configuracion next, bool confirmed,
-                                         const QString& suited) {
+/// that one decided already; `goes_on`: with its map, whatever the file. False where the user would
+/// have none.
+bool ConfigurationActions::choose_source(Configuracion next, bool confirmed, const QString& suited,
+                                         bool goes_on) {
     const Configuracion given = next;
     SourceDialog dialog(given.source, prompts_, files_.folder_to_open("log"), window_);
+    if (goes_on) dialog.go_on_with_map();
     while (dialog.exec() == QDialog::Accepted) {
         next = given;
         const SourceParams source = dialog.source();
@@ -298,6 +302,7 @@ bool ConfigurationActions::choose_source(Configuracion next, bool confirmed,
         const bool brought =
             !same && !words.isEmpty() && source.world_set == given.source.world_set;
         const std::string world_set = brought ? next.source.world_set : source.world_set;
+        if (!same && !goes_on) next.registration.edits.clear();
         next.source = source;
         next.source.world_set = world_set;
         if (!(confirmed || guard_.may_begin(next))) continue;

@@ -96,7 +96,8 @@ class ConfigurationActions final : public QObject {
     QString lost_words(bool had) const;
     bool is_own(const Configuracion& configuration) const;
     QString suit(Configuracion& next, const std::string& file) const;
-    bool choose_source(Configuracion next, bool confirmed, const QString& suited = {});
+    bool choose_source(Configuracion next, bool confirmed, const QString& suited = {},
+                       bool goes_on = false);
     void choose_at_start(const Configuracion& configuration, const QString& suited, bool run);
     bool use_reference(const QString& path, FileKind kind);
     std::optional<Advice> take_references(const ReferenceFiles& files);

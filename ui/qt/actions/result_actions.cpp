@@ -169,12 +169,14 @@ void ResultActions::at_chosen_scan(const std::function<void()>& save) {
     delete going_;
     const Progress now = session_.progress();
     const quint64 furthest = session_.worker()->figures_since(0).size();
-    const bool to_end = !session_.is_live() && now.state != Progress::State::finished &&
-                        (was_over_ || (total_ && now.steps >= *total_));
+    // Without registration there are no last passes.
+    const bool at_last =
+        total_ && now.steps >= *total_ && needs_registration(session_.configuration().filter);
+    const bool to_end =
+        !session_.is_live() && now.state != Progress::State::finished && (was_over_ || at_last);
     if (now.state == Progress::State::running || (!to_end && now.steps >= furthest)) return save();
     const std::optional<int> chosen = prompts_.choice(
-        window_in_use(),
-        to_end ? tr("The run is not at its end") : tr("The run has been further"),
+        window_in_use(), to_end ? tr("The run is not at its end") : tr("The run has been further"),
         tr("What to save:"),
         {tr("As it is now, at scan %1").arg(now.steps),
          (to_end ? tr("As it is at its end, scan %1") : tr("As far as it came, at scan %1"))

@@ -18,6 +18,13 @@ namespace {
 constexpr int kNoticeMs = 6000;  // at the least, and of one that is longer to read more
 constexpr int kLetterMs = 70;
 constexpr qsizetype kKept = 4;
+constexpr int kMargin = 6;
+
+/// Room for what it may say; never less than before.
+void widen(QLabel& label, const QString& longest) {
+    const int needed = QFontMetrics(label.font()).horizontalAdvance(longest) + 2 * kMargin;
+    label.setFixedWidth(std::max(needed, label.minimumWidth()));
+}
 
 QString preset_to_try(const Advice& advice) {
     return StatusLine::tr("Try Configuration → Presets → %1.")
@@ -86,12 +93,11 @@ StatusLine::StatusLine(QStatusBar* bar, Session& session)
 /// A label whose size does not change with its text: ten times a second the whole window would be
 /// laid out anew.
 QLabel* StatusLine::add(const char* name, const QString& longest) {
-    constexpr int kMargin = 6;
     auto* label = new QLabel;
     label->setObjectName(name);
     label->setContentsMargins(kMargin, 2, kMargin, 2);
-    const QFontMetrics metrics(label->font());
-    label->setFixedSize(metrics.horizontalAdvance(longest) + 2 * kMargin, metrics.height() + 6);
+    label->setFixedHeight(QFontMetrics(label->font()).height() + 6);
+    widen(*label, longest);
     label->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     bar_->addPermanentWidget(label);
     return label;
@@ -99,6 +105,7 @@ QLabel* StatusLine::add(const char* name, const QString& longest) {
 
 void StatusLine::set_total(std::optional<quint64> scans) {
     total_ = scans;
+    if (scans) widen(*scan_, tr("Scan %1 of %2").arg(*scans).arg(*scans));
     refresh();
 }
 

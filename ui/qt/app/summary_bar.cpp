@@ -40,6 +40,8 @@ std::vector<const ConfigParameter*> rows_of(ParameterGroup card,
     };
     add(true);
     add(false);
+    if (card == ParameterGroup::source && !configuration.source.map.empty())
+        rows.push_back(&find_parameter("source.map"));
     return rows;
 }
 
@@ -54,7 +56,9 @@ void set_role(QWidget* widget, const char* role) {
 }
 
 bool is_marked(const ConfigParameter& parameter, const Configuracion& configuration) {
-    return parameter.type != ConfigParameter::Type::text && !is_default(parameter, configuration);
+    const bool told =
+        parameter.type != ConfigParameter::Type::text || parameter.key == "source.map";
+    return told && !is_default(parameter, configuration);
 }
 
 QString shown_value(const ConfigParameter& parameter, const Configuracion& configuration) {

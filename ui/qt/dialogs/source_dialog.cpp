@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QMimeData>
+#include <QPointer>
 #include <QPushButton>
 #include <cmath>
 #include <utility>
@@ -38,13 +39,19 @@ bool needs_topics(const std::string& file) {
     return !file.empty() && is_recording(file);
 }
 
+QString scans_words(const TourSummary& summary) {
+    const QString words = counted_words(summary.report.scans, SourceDialog::tr("1 scan"),
+                                        SourceDialog::tr("%1 scans"));
+    if (summary.scans_of_map == 0) return words;
+    return SourceDialog::tr("%1, %2 of them the map's").arg(words).arg(summary.scans_of_map);
+}
+
 /// How much of a tour there is.
 QString source_counts(const TourSummary& summary) {
     QString words =
         SourceDialog::tr("%1: %2, %3, %4 s, %5 m.")
             .arg(format_words(summary.format))
-            .arg(counted_words(summary.report.scans, SourceDialog::tr("1 scan"),
-                               SourceDialog::tr("%1 scans")))
+            .arg(scans_words(summary))
             .arg(counted_words(summary.report.odometry, SourceDialog::tr("1 odometry reading"),
                                SourceDialog::tr("%1 odometry readings")))
             .arg(summary.duration_s, 0, 'f', 1)
@@ -108,7 +115,7 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
       folder_(std::move(folder)),
       source_(std::move(source)) {
     ui_->setupUi(this);
-    pool_.setMaxThreadCount(1);
+    pool_->setMaxThreadCount(1);
     const ConfigParameter& format = find_parameter("source.format");
     for (std::size_t i = 0; i < format.choices.size(); ++i)
         ui_->type->addItem(choice_of(format, i), to_qt(format.choices[i].word));
@@ -146,10 +153,15 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
 
 void SourceDialog::connect_fields() {
     connect(ui_->path, &QLineEdit::textChanged, this, [this] {
-        // What was set is of the recording that it was set for, but for what is said of the map.
-        SourceParams other = source();
-        other.read =
-            other.file == source_.file ? source_.read : for_another_recording(source_.read);
+        // What was set is of the recording that it was set for.
+        SourceParams other = goes_on_ ? source() : source_;
+        const bool same = ui_->path->text().trimmed().toStdString() == source_.file;
+        other.read = same ? source_.read : for_another_recording(source_.read);
+        if (!same && !goes_on_) {
+            other.map.clear();
+            other.hold = false;
+            other.start.clear();
+        }
         ui_->scan_topic->setText(QString::fromStdString(other.read.scan_topic));
         ui_->odom_topic->setText(QString::fromStdString(other.read.odom_topic));
         how_read_->show(other);
@@ -173,14 +185,17 @@ void SourceDialog::connect_fields() {
         column->setStretch(column->indexOf(ui_->verdict_area), on ? kMore : 1);
     });
     // What has just been typed is no part of what is read yet.
-    connect(how_read_, &SourceReading::edited, this,
-            [this] { ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(false); });
+    connect(how_read_, &SourceReading::edited, this, [this] {
+        ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
+        show_verdict(tr("Reading…"), "muted");
+    });
     connect(how_read_, &SourceReading::changed, this, &SourceDialog::check_reading);
 }
 
 SourceDialog::~SourceDialog() {
     if (stop_) *stop_ = true;
-    pool_.waitForDone();
+    // Nobody waits here for a log whose reading takes a while to stop.
+    QThreadPool::globalInstance()->start([pool = std::move(pool_)] { pool->waitForDone(); });
 }
 
 SourceParams SourceDialog::source() const {
@@ -195,12 +210,12 @@ SourceParams SourceDialog::source() const {
 
 /// It was read as all fields say.
 bool SourceDialog::may_accept() const {
-    return summary_ && summary_->tour.report.scans > 0 && how_read_->good();
+    return summary_ && summary_->tour.report.scans > 0 && how_read_->good() &&
+           !how_read_->pending() && source() == checked_;
 }
 
 void SourceDialog::check_reading() {
-    if (source() != checked_) begin_check();
-    ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(may_accept());
+    begin_check();
 }
 
 void SourceDialog::show_topics(bool shown) {
@@ -249,16 +264,18 @@ void SourceDialog::begin_check() {
     ui_->reading->setValue(0);
     ui_->reading->show();
     stop_ = std::make_shared<std::atomic<bool>>(false);
-    pool_.start([this, wanted, stop = stop_] {
+    const QPointer<SourceDialog> self(this);
+    pool_->start([self, wanted, stop = stop_, told = told_] {
         begin_background_work();
         std::optional<SourceInspection> summary;
         Refusal refusal;
         try {
             summary = inspect_source(wanted, [&](double part) {
                 QMetaObject::invokeMethod(
-                    this,
-                    [this, stop, part] {
-                        if (stop == stop_) ui_->reading->setValue(static_cast<int>(part * 1000.0));
+                    told.get(),
+                    [self, stop, part] {
+                        if (self && stop == self->stop_)
+                            self->ui_->reading->setValue(static_cast<int>(part * 1000.0));
                     },
                     Qt::QueuedConnection);
                 return !stop->load();
@@ -267,7 +284,10 @@ void SourceDialog::begin_check() {
             refusal = {words_of(error), beginning_of(wanted.file)};
         }
         QMetaObject::invokeMethod(
-            this, [this, stop, summary, refusal] { end_check(stop, summary, refusal); },
+            told.get(),
+            [self, stop, summary, refusal] {
+                if (self) self->end_check(stop, summary, refusal);
+            },
             Qt::QueuedConnection);
     });
 }

@@ -36,6 +36,8 @@ class SourceDialog final : public QDialog {
     SourceDialog(SourceParams source, Prompts& prompts, QString folder, QWidget* parent);
     ~SourceDialog() override;
 
+    /// Whatever file is chosen, it goes on with the map that the source has.
+    void go_on_with_map() { goes_on_ = true; }
     /// What the user chose.
     SourceParams source() const;
     /// What the chosen log holds.
@@ -62,8 +64,8 @@ class SourceDialog final : public QDialog {
 
     void browse();
     void begin_check();
-    /// Anew, where it is to be read otherwise than at the last check.
     bool may_accept() const;
+    /// Anew, where it is to be read otherwise than at the last check.
     void check_reading();
     void show_topics(bool shown);
     void connect_fields();
@@ -83,8 +85,11 @@ class SourceDialog final : public QDialog {
     SourceParams source_;
     SourceParams checked_;  ///< of the newest check
     std::optional<SourceInspection> summary_;
-    Stop stop_;  ///< of the check under way
-    QThreadPool pool_;
+    Stop stop_;             ///< of the check under way
+    bool goes_on_ = false;  ///< with a map
+    /// What checks tell comes to here: one that is slow to stop may outlive the dialog.
+    std::shared_ptr<QObject> told_{new QObject, [](QObject* object) { object->deleteLater(); }};
+    std::shared_ptr<QThreadPool> pool_ = std::make_shared<QThreadPool>();
 };
 
 }  // namespace hitos::window

@@ -23,6 +23,8 @@ class SourceReading final : public QWidget {
     void give(SourceParams& source) const;
     /// Every field holds a value that is possible.
     bool good() const;
+    /// What was typed last is no value yet.
+    bool pending() const { return pause_.isActive(); }
     bool has(const ConfigParameter& parameter) const;
     /// As if it were typed; nothing where the form has no such field.
     void set(const ConfigParameter& parameter, const std::string& value);

@@ -42,7 +42,11 @@ QStringList differing(const Configuracion& configuration, const Configuracion& b
     QStringList words;
     for (const ConfigParameter* parameter : differences(configuration, base)) {
         if (!parameter->used_by(configuration)) continue;  // it says nothing of this one
-        words << label_of(*parameter) + ' ' + shortened(value_with_unit(*parameter, configuration));
+        const QString value = value_with_unit(*parameter, configuration);
+        words << label_of(*parameter) + ' ' +
+                     (value.isEmpty() ? translated("ParameterChoice",
+                                                   QT_TRANSLATE_NOOP("ParameterChoice", "none"))
+                                      : shortened(value));
     }
     return words;
 }
@@ -116,7 +120,7 @@ QString choice_of(const ParameterFacts& parameter, std::size_t place) {
 }
 
 QString value_words(const ParameterFacts& parameter, const std::string& text) {
-    if (parameter.key == "source.file") {
+    if (parameter.key == "source.file" || parameter.key == "source.map") {
         return QFileInfo(QString::fromStdString(text)).fileName();
     }
     const std::optional<std::size_t> place = parameter.place_of(text);

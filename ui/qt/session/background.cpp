@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QEventLoop>
 #include <QGuiApplication>
+#include <QScopeGuard>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -42,10 +43,10 @@ void wait_until(const std::function<bool(std::chrono::milliseconds)>& done) {
     constexpr milliseconds kPause(10);
     if (done(kAtOnce)) return;
     QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+    const auto restore = qScopeGuard([] { QGuiApplication::restoreOverrideCursor(); });
     do {
         QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
     } while (!done(kPause));
-    QGuiApplication::restoreOverrideCursor();
 }
 
 }  // namespace hitos::window

@@ -3490,6 +3490,10 @@
         <source>another source is being opened; try again when it is there</source>
         <translation>se está abriendo otra fuente; vuelva a intentarlo cuando esté</translation>
     </message>
+    <message>
+        <source>holds the results of a tour whose scan %1 has the stamp %2 s, and in its log %3 that has %4 s: the log has changed; run it again</source>
+        <translation>contiene los resultados de un recorrido cuyo barrido %1 tiene la marca de tiempo %2 s, y en su registro %3 esa es %4 s: el registro ha cambiado; ejecútelo de nuevo</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -4657,6 +4661,10 @@
     <message>
         <source>MRCLAM</source>
         <translation>MRCLAM</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
     </message>
 </context>
 <context>
@@ -9192,6 +9200,10 @@
     <message>
         <source>The recording has several lasers or odometries: write above which ones to use, or tick them below.</source>
         <translation>La grabación tiene varios láseres u odometrías: escriba arriba cuáles se usan, o márquelos abajo.</translation>
+    </message>
+    <message>
+        <source>%1, %2 of them the map&apos;s</source>
+        <translation>%1, %2 de ellos del mapa</translation>
     </message>
 </context>
 <context>

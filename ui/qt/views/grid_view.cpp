@@ -274,7 +274,8 @@ void GridView::paint_scene(QPainter& painter, const Scene& scene) const {
     }
     if (snapshot_) {
         const Scene paper{scene.to_screen, scene.size, scene.pixels_per_m, light_colours(), false};
-        if (layers().has(Layer::ancestry)) draw_ancestry(painter, paper, snapshot_->ancestry, {});
+        if (layers().has(Layer::ancestry))
+            draw_ancestry(painter, paper, snapshot_->ancestry, begins_, {});
         if (snapshot_->particle) draw_particle(painter, paper, *snapshot_->particle, {});
     }
     if (layers().has(Layer::graph)) paint_graph(painter, scene);

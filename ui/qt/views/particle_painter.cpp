@@ -39,8 +39,12 @@ void draw_particle(QPainter& painter, const Scene& scene, const ParticleDetails&
 }
 
 void draw_ancestry(QPainter& painter, const Scene& scene,
-                   const std::vector<HistoryBranch>& branches, const Pose& pose_view_world) {
+                   const std::vector<HistoryBranch>& branches,
+                   const std::vector<std::size_t>& begins, const Pose& pose_view_world) {
     for (const HistoryBranch& branch : branches) {
+        std::vector<std::size_t> of_branch;
+        for (const std::size_t scan : begins)
+            if (scan > branch.first) of_branch.push_back(scan - branch.first);
         std::vector<QPointF> points;
         points.reserve(branch.poses.size());
         for (const Pose& pose : branch.poses) {
@@ -48,7 +52,8 @@ void draw_ancestry(QPainter& painter, const Scene& scene,
             points.emplace_back(point.x, point.y);
         }
         const double width = std::min(0.8 + 0.4 * std::log2(1.0 + branch.particles), 4.0);
-        draw_path(painter, scene, points, thin_pen(faded(scene.colours.particle, 200), width));
+        draw_path(painter, scene, points, thin_pen(faded(scene.colours.particle, 200), width),
+                  of_branch);
     }
 }
 

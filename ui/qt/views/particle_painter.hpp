@@ -13,9 +13,10 @@ namespace hitos::window {
 void draw_particle(QPainter& painter, const Scene& scene, const ParticleDetails& particle,
                    const Pose& pose_view_world);
 /// The histories of all particles as the tree that they are: the more particles have a branch
-/// behind them, the stronger it is.
+/// behind them, the stronger it is. `begins`: scans at which another tour does.
 void draw_ancestry(QPainter& painter, const Scene& scene,
-                   const std::vector<HistoryBranch>& branches, const Pose& pose_view_world);
+                   const std::vector<HistoryBranch>& branches,
+                   const std::vector<std::size_t>& begins, const Pose& pose_view_world);
 
 /// The cloud: places with headings, in the view's frame, and how heavy each is beside the heaviest.
 struct ParticleCloud {

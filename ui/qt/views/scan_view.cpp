@@ -209,7 +209,8 @@ void ScanView::paint_scene(QPainter& painter, const Scene& scene) const {
 
 void ScanView::paint_particles(QPainter& painter, const Scene& scene) const {
     if (layers().has(Layer::ancestry) && !robot_frame_) {
-        draw_ancestry(painter, scene, snapshot_->ancestry, {});
+        draw_ancestry(painter, scene, snapshot_->ancestry, begins_of(snapshot_->best_trajectory),
+                      {});
     }
     if (snapshot_->particle) {
         draw_particle(painter, scene, *snapshot_->particle, pose_view_world());

@@ -28,7 +28,8 @@ CellArea united(const CellArea& a, const CellArea& b);
 /// The grey of cells in pictures where nothing is known.
 inline constexpr std::uint8_t kUnknownGrey = 205;
 
-/// The grey of a cell in pictures: 255 free, 0 occupied, linear in the probability; kUnknownGrey
+/// The grey of a cell in pictures: 255 free, 0 occupied, linear in the probability from either to
+/// kUnknownGrey, so that what was seen free once is no darker than what nobody saw; kUnknownGrey
 /// where nothing is known (log-odds 0).
 std::uint8_t grey_of(float log_odds);
 
@@ -84,8 +85,8 @@ class Grid {
     }
     bool known(int column, int row) const { return log_odds(column, row) != 0.0F; }
 
-    /// 8-bit grey picture, row 0 at the top (greatest y), linear in the probability of known cells:
-    /// white free, black occupied, kUnknownGrey unknown.
+    /// 8-bit grey picture, row 0 at the top (greatest y), as grey_of() has it: white free, black
+    /// occupied, kUnknownGrey unknown.
     struct Picture {
         int width = 0;
         int height = 0;

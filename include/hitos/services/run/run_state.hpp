@@ -72,6 +72,7 @@ struct RunState {
     bool saw_landmarks = false;  ///< that a sensor told by themselves
     bool held = false;           ///< the map, as the second of two tours finds it
     bool finished = false;
+    double pauses_s = 0.0;  ///< between tours, which are no tour's time
 
     /// The filter's best pose at every scan so far.
     Trajectory best_trajectory() const;

@@ -337,7 +337,8 @@ TEST(PictureFile, HalfAPictureOrADamagedOneIsNone) {
                 << kind << part;
         }
         std::string damaged = whole;
-        for (std::size_t i = whole.size() / 2; i < whole.size() / 2 + 40; ++i) damaged[i] = '\x55';
+        // Behind a JPG's tables, where no byte like that may follow itself.
+        for (std::size_t i = whole.size() - 60; i < whole.size() - 20; ++i) damaged[i] = '\xff';
         EXPECT_THROW(read(damaged), FormatError) << kind;
         EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << "in our words alone";
     }

@@ -318,7 +318,7 @@ TEST(Grid, RefusesParametersThatNoGridCanHave) {
     EXPECT_THAT(refusal(&GridParams::max_range_m, HUGE_VAL), HasSubstr("grid.max_range: inf"));
 }
 
-TEST(GridPicture, HasTheTopRowFirstAndIsLinearInProbability) {
+TEST(GridPicture, HasTheTopRowFirst) {
     GridParams params = unit_cells();
     params.log_odds_hit = std::log(3.0);    // p = 3/4
     params.log_odds_miss = -std::log(4.0);  // p = 1/5
@@ -328,8 +328,21 @@ TEST(GridPicture, HasTheTopRowFirstAndIsLinearInProbability) {
     EXPECT_EQ(picture.width, 2);
     EXPECT_EQ(picture.height, 2);
     // The start was passed twice: odds 1/16, limited to e^-3 at the least.
-    const auto start = static_cast<int>(std::lround(255.0 * 16.0 / 17.0));
-    EXPECT_THAT(picture.grey, ::testing::ElementsAre(64, 205, start, 64));
+    // What is likelier free than not is lighter than what nobody saw.
+    const auto start = static_cast<int>(std::lround(205.0 + 50.0 * (2.0 * 16.0 / 17.0 - 1.0)));
+    const auto hit = static_cast<int>(grey_of(std::log(3.0F)));
+    EXPECT_NEAR(hit, 205.0 * 2.0 * 0.25, 1.0);
+    EXPECT_THAT(picture.grey, ::testing::ElementsAre(hit, 205, start, hit));
+}
+
+TEST(GridPicture, GreysFollowWhatIsKnown) {
+    EXPECT_EQ(grey_of(0.0F), kUnknownGrey);
+    EXPECT_EQ(grey_of(20.0F), 0);
+    EXPECT_EQ(grey_of(-20.0F), 255);
+    for (int quarter = -24; quarter < 24; ++quarter) {
+        const float odds = 0.25F * static_cast<float>(quarter);
+        EXPECT_GE(grey_of(odds), grey_of(odds + 0.25F)) << odds;
+    }
 }
 
 TEST(GridPicture, SureCellsAreWhiteAndBlack) {
