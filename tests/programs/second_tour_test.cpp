@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // hitos-cli: a tour that goes on with the map of an earlier run, or is localised in it.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <iterator>
@@ -98,9 +99,15 @@ TEST_F(SecondTourTest, IsLocalisedInAMapThatStaysAsItIs) {
 }
 
 TEST_F(SecondTourTest, GoesOnWithTheMap) {
-    const test::Outcome told = run("second.toml", "out", map());
+    const test::Outcome told = run("second.toml", "out", map() + " --write g2o");
     ASSERT_EQ(told.status, 0) << told.output;
     EXPECT_THAT(told.output, HasSubstr("found in the map after "));
+    // Nothing was driven from the last scan of the first tour to the first one of the second.
+    const int begin = summary_of("first")["scans"].get<int>();
+    const auto step = [](int to) { return fmt::format("\nEDGE_SE2 {} {} ", to - 1, to); };
+    EXPECT_THAT(content("out/graph.g2o"), HasSubstr(step(begin - 1)));
+    EXPECT_THAT(content("out/graph.g2o"), Not(HasSubstr(step(begin))));
+    EXPECT_THAT(content("out/graph.g2o"), HasSubstr(step(begin + 1)));
     EXPECT_NE(content("out/map.txt"), content("first/map.txt"));
     const json summary = summary_of("out");
     EXPECT_GT(summary["scans"], summary_of("first")["scans"].get<int>() + 50);
@@ -249,7 +256,7 @@ TEST_F(SecondTourTest, TellsWhatItCannotGoOnWith) {
     // The log of the map is another one now.
     const std::string log = content("first.toml");
     file("first.toml", log.substr(0, log.find("rate = 2")) + "rate = 1\n");
-    expect(map(), "it was stopped, or the log has changed");
+    expect(map(), "the log has changed; run it again");
     file("first/config.cfg", "[source]\nmap = 3\n");
     expect(map(), "config.cfg:2");
 }

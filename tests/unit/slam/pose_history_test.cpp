@@ -67,6 +67,16 @@ TEST(PoseHistory, BranchesAreTheTreeOfAllHistories) {
     std::size_t poses = branches.front().poses.size();
     for (std::size_t i = 1; i < branches.size(); ++i) poses += branches[i].poses.size() - 1;
     EXPECT_EQ(poses, history.size());  // each is drawn once
+    // Each says of which scan its first pose is.
+    const std::vector<Pose> newest = history.path(leaves.front());
+    EXPECT_EQ(branches.front().first, 0U);
+    for (const HistoryBranch& branch : branches) {
+        ASSERT_LE(branch.first + branch.poses.size(), kSteps);
+        const auto on_way = std::ranges::find(newest, branch.poses.back());
+        if (on_way == newest.end()) continue;
+        EXPECT_EQ(static_cast<std::size_t>(on_way - newest.begin()),
+                  branch.first + branch.poses.size() - 1);
+    }
     auto ways = ways_of(branches, kSteps);
     ASSERT_EQ(ways.size(), kParticles);
     for (const auto leaf : leaves) {

@@ -140,6 +140,13 @@ TEST(LiveMessages, LongPathsAreThinnedToBothEnds) {
     EXPECT_EQ(poses.front()["position"]["x"], 0.0);
     EXPECT_EQ(poses.back()["position"]["x"], 10000.0);
     EXPECT_EQ(json::parse(path_message({snapshot_after(1999), {}}))["poses"].size(), 1999U);
+    // No way leads to where another tour begins: the first pose that is told of it.
+    Snapshot two = snapshot_after(10001);
+    EXPECT_FALSE(json::parse(path_message({two, {}})).contains("begins"));
+    two.best_trajectory[5001].begins = true;
+    const std::size_t stride = two.best_trajectory.size() / (poses.size() - 1);
+    EXPECT_EQ(json::parse(path_message({two, {}}))["begins"],
+              json::array({(5001 + stride - 1) / stride}));
 }
 
 TEST(LiveMessages, OfOneHypothesisThereAreNoParticles) {

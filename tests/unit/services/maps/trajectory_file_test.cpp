@@ -51,6 +51,16 @@ TEST(ParseTrajectory, ReadsPosesInOrder) {
     EXPECT_EQ(trajectory[1], (StampedPose{1.0, {}}));
 }
 
+TEST(ParseTrajectory, SaysWhereAnotherTourBegins) {
+    Trajectory path{{1.0, {}}, {2.0, {1.0, 0.0, 0.0}}, {3.0, {9.0, 5.0, 0.0}, true}, {4.0, {}}};
+    const std::string text = trajectory_to_text(path);
+    EXPECT_EQ(parse_trajectory(text, "t"), path);
+    EXPECT_THAT(text, ::testing::HasSubstr("\n# another tour begins\n3 9.0"));
+    // Nothing comes before the first.
+    path.front().begins = true;
+    EXPECT_EQ(trajectory_to_text(path), text);
+}
+
 TEST(ParseTrajectory, HeadingIsTheYawOfAnyQuaternion) {
     // Yaw, then pitch, then roll; and the same rotation from the opposite quaternion.
     std::mt19937_64 random(9);
