@@ -187,6 +187,7 @@ void SourceDialog::connect_fields() {
     // What has just been typed is no part of what is read yet.
     connect(how_read_, &SourceReading::edited, this, [this] {
         ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
+        typed_ = true;
         show_verdict(tr("Reading…"), "muted");
     });
     connect(how_read_, &SourceReading::changed, this, &SourceDialog::check_reading);
@@ -215,7 +216,7 @@ bool SourceDialog::may_accept() const {
 }
 
 void SourceDialog::check_reading() {
-    begin_check();
+    if (typed_ || source() != checked_) begin_check();
 }
 
 void SourceDialog::show_topics(bool shown) {
@@ -245,6 +246,7 @@ void SourceDialog::browse() {
 
 void SourceDialog::begin_check() {
     if (stop_) *stop_ = true;
+    typed_ = false;
     summary_.reset();
     ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
     ui_->lines->clear();

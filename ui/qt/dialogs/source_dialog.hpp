@@ -86,6 +86,7 @@ class SourceDialog final : public QDialog {
     SourceParams checked_;  ///< of the newest check
     std::optional<SourceInspection> summary_;
     Stop stop_;             ///< of the check under way
+    bool typed_ = false;    ///< what is shown is not what fields say
     bool goes_on_ = false;  ///< with a map
     /// What checks tell comes to here: one that is slow to stop may outlive the dialog.
     std::shared_ptr<QObject> told_{new QObject, [](QObject* object) { object->deleteLater(); }};

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QSignalBlocker>
 #include <algorithm>
 #include <array>
 
@@ -55,7 +56,9 @@ SourceReading::SourceReading(const SourceParams& source, QWidget* parent) : QWid
 void SourceReading::show(const SourceParams& source) {
     Configuracion configuration;
     configuration.source = source;
+    const QSignalBlocker quiet(this);  // nobody types
     for (FieldOf<Configuracion>* field : fields_) field->set_value(configuration);
+    pause_.stop();
 }
 
 void SourceReading::take() {
@@ -79,6 +82,7 @@ void SourceReading::set(const ConfigParameter& parameter, const std::string& val
     FieldOf<Configuracion>* field = field_of(parameter);
     if (field == nullptr) return;
     field->set_text(value);
+    pause_.stop();
     emit changed();
 }
 
