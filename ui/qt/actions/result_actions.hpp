@@ -83,7 +83,7 @@ class ResultActions final : public QObject {
     QPointer<MapWindow> best_;
     QPointer<MapWindow> odometry_;
     QPointer<MapWindow> particle_;
-    bool was_over_ = false;   ///< the run has been at its end
+    bool was_over_ = false;  ///< the run has been at its end
     std::optional<quint64> total_;
     QPointer<QTimer> going_;  ///< to the scan at which something is to be saved
     std::future<void> path_of_particle_;
