@@ -89,7 +89,7 @@ void tell_choice(const std::string& source, const SourceInspection& found, Repor
 
 /// As of a run's results.
 std::string scans_words(const TourSummary& tour) {
-    const std::string words = plural(tour.report.scans, "scan");
+    std::string words = plural(tour.report.scans, "scan");
     if (tour.scans_of_map == 0) return words;
     return fmt::format("{}, {} of them the map's", words, tour.scans_of_map);
 }

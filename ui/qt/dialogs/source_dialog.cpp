@@ -40,8 +40,8 @@ bool needs_topics(const std::string& file) {
 }
 
 QString scans_words(const TourSummary& summary) {
-    const QString words = counted_words(summary.report.scans, SourceDialog::tr("1 scan"),
-                                        SourceDialog::tr("%1 scans"));
+    QString words = counted_words(summary.report.scans, SourceDialog::tr("1 scan"),
+                                  SourceDialog::tr("%1 scans"));
     if (summary.scans_of_map == 0) return words;
     return SourceDialog::tr("%1, %2 of them the map's").arg(words).arg(summary.scans_of_map);
 }
