@@ -35,6 +35,17 @@ void save_results(Fixture& f) {
     QVERIFY2(f.prompts.warnings.isEmpty(), qPrintable(f.prompts.warnings.join('\n')));
 }
 
+/// Of a run that is not at its end now.
+void save_as_it_ends(Fixture& f) {
+    f.prompts.numbers = {1};
+    f.prompts.saves = {f.path("end")};
+    f.trigger("action_save_results");
+    QTRY_VERIFY(QFile::exists(f.path("end/summary.json")));
+    QVERIFY(f.prompts.offered.back().contains("at its end"));
+    QVERIFY(Fixture::read(f.path("end/summary.json")).contains("\"finished\": true"));
+    QTRY_VERIFY(!f.window->result_actions().writing());
+}
+
 /// Byte for byte, but for the time that the run took.
 void compare_results(Fixture& f, const QStringList& others) {
     const QString cli = command_line_results(f);
@@ -161,13 +172,7 @@ void RunTest::a_run_that_was_over_is_saved_as_it_was_then() {
     const quint64 scans = f.steps();
     f.session.seek(scans - 1);
     QTRY_VERIFY(f.steps() == scans - 1 && f.shows_everything());
-    f.prompts.numbers = {1};
-    f.prompts.saves = {f.path("end")};
-    f.trigger("action_save_results");
-    QTRY_VERIFY(QFile::exists(f.path("end/summary.json")));
-    QVERIFY(f.prompts.offered.back().contains("at its end"));
-    QVERIFY(Fixture::read(f.path("end/summary.json")).contains("\"finished\": true"));
-    QTRY_VERIFY(!f.window->result_actions().writing());
+    save_as_it_ends(f);
 }
 
 void RunTest::a_run_at_its_last_scan_is_saved_as_it_ends() {
@@ -178,13 +183,7 @@ void RunTest::a_run_at_its_last_scan_is_saved_as_it_ends() {
     f.session.seek(scans);
     QTRY_VERIFY(f.steps() == scans && f.shows_everything());
     QVERIFY(f.session.progress().state == Progress::State::paused);
-    f.prompts.numbers = {1};
-    f.prompts.saves = {f.path("end")};
-    f.trigger("action_save_results");
-    QTRY_VERIFY(QFile::exists(f.path("end/summary.json")));
-    QVERIFY(f.prompts.offered.back().contains("at its end"));
-    QVERIFY(Fixture::read(f.path("end/summary.json")).contains("\"finished\": true"));
-    QTRY_VERIFY(!f.window->result_actions().writing());
+    save_as_it_ends(f);
 }
 
 void RunTest::all_results_are_those_of_the_command_line() {
