@@ -41,7 +41,7 @@ void save_as_it_ends(Fixture& f) {
     f.prompts.saves = {f.path("end")};
     f.trigger("action_save_results");
     QTRY_VERIFY(QFile::exists(f.path("end/summary.json")));
-    QVERIFY(f.prompts.offered.back().contains("at its end"));
+    QVERIFY(!f.prompts.offered.isEmpty() && f.prompts.offered.back().contains("at its end"));
     QVERIFY(Fixture::read(f.path("end/summary.json")).contains("\"finished\": true"));
     QTRY_VERIFY(!f.window->result_actions().writing());
 }
@@ -176,13 +176,28 @@ void RunTest::a_run_that_was_over_is_saved_as_it_was_then() {
 }
 
 void RunTest::a_run_at_its_last_scan_is_saved_as_it_ends() {
-    Fixture f(true, 20);
-    f.run_to_end();
-    const quint64 scans = f.steps();
-    f.session.restart();
-    f.session.seek(scans);
-    QTRY_VERIFY(f.steps() == scans && f.shows_everything());
-    QVERIFY(f.session.progress().state == Progress::State::paused);
+    const auto stand_at_the_last = [](Fixture& f) {
+        f.run_to_end();
+        const quint64 scans = f.steps();
+        f.session.restart();
+        f.session.seek(scans);
+        QTRY_VERIFY(f.steps() == scans && f.shows_everything());
+        QVERIFY(f.session.progress().state == Progress::State::paused);
+    };
+    {  // Without registration there are no last passes.
+        Fixture f(true, 20);
+        stand_at_the_last(f);
+        f.prompts.saves = {f.path("map.txt")};
+        f.trigger("action_save_map");
+        QVERIFY(f.prompts.offered.isEmpty() && QFile::exists(f.path("map.txt")));
+    }
+    Fixture f(false);
+    Configuracion registered =
+        ArchivoConfiguracion::read(Fixture::source_file("config/recorded.cfg").toStdString());
+    registered.source.file = Fixture::source_file("data/bigloop.log.gz").toStdString();
+    registered.filter.particles = 3;
+    f.session.set_configuration(registered);
+    stand_at_the_last(f);
     save_as_it_ends(f);
 }
 
