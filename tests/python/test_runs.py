@@ -323,8 +323,9 @@ class Arrays(unittest.TestCase):
         known = grid.log_odds != 0
         self.assertTrue((grid.grey[~known] == hitos.UNKNOWN_GREY).all())
         self.assertTrue(known.any())
-        free = 255 / (1 + np.exp(grid.log_odds[known].astype(float)))
-        np.testing.assert_allclose(grid.grey[known], free, atol=1.01)
+        free = 1 / (1 + np.exp(grid.log_odds[known].astype(float)))
+        grey = np.interp(free, [0, 0.5, 1], [0, hitos.UNKNOWN_GREY, 255])
+        np.testing.assert_allclose(grid.grey[known], grey, atol=1.01)
         left, right, bottom, top = grid.extent
         self.assertAlmostEqual((right - left) / grid.resolution, grid.shape[1])
         self.assertAlmostEqual((top - bottom) / grid.resolution, grid.shape[0])
