@@ -35,9 +35,12 @@ std::filesystem::path drawn_grid(const TempFolder& folder, const std::string& na
     for (std::uint64_t k = 0; k < tour.scans(); k += 3)
         grid.add(tour.scan(k), compose(tour.world().tour.start, tour.true_pose(k)));
     write_picture(grid.picture(), folder / (name + ".png"));
+    const float likely = std::log(0.65F / 0.35F);  // as map_server takes it for a wall
     return folder.put(name + ".yaml", fmt::format("image: {}.png\nresolution: {}\n"
-                                                  "origin: [{}, {}, 0]\nnegate: 0\n",
-                                                  name, kCell, grid.origin().x, grid.origin().y));
+                                                  "origin: [{}, {}, 0]\nnegate: 0\n"
+                                                  "occupied_thresh: {}\n",
+                                                  name, kCell, grid.origin().x, grid.origin().y,
+                                                  (255.0 - grey_of(likely)) / 255.0));
 }
 
 /// How far a wall is from the other world's walls where it is furthest, for the wall that is.
