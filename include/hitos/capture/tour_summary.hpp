@@ -23,8 +23,7 @@ struct TourSummary {
     ReadReport report;
     std::uint64_t scans_of_map = 0;  ///< of them, where it goes on with a map
     double first_stamp_s = 0.0;
-    double duration_s =
-        0.0;  ///< from the earliest stamp to the latest, but for pauses between tours
+    double duration_s = 0.0;            ///< first to last stamp, without pauses between tours
     double distance_m = 0.0;            ///< length of the odometry's path
     Fan fan;                            ///< of the first scan
     std::uint64_t points = 0;           ///< of a laser

@@ -113,11 +113,15 @@ void check(const Configuracion& configuration) {
     }
 }
 
+void forget_recording(SourceParams& source) {
+    source.read = for_another_recording(source.read);
+    source.map.clear();
+    source.hold = false;
+    source.start.clear();
+}
+
 void forget_recording(Configuracion& configuration) {
-    configuration.source.read = for_another_recording(configuration.source.read);
-    configuration.source.map.clear();
-    configuration.source.hold = false;
-    configuration.source.start.clear();
+    forget_recording(configuration.source);
     configuration.registration.edits.clear();
 }
 

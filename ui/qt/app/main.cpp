@@ -53,6 +53,7 @@ int run_window(QApplication& application, UserFiles& files, const CommandLine& l
     }
     apply_size(window, line.size);
 
+    if (!without_display(line)) window.show();  // opening a large recording takes a while
     open_named(window, line, without_display(line) ? Audience::nobody : Audience::somebody);
     if (nobody.warned()) return 1;
     int code = 0;
@@ -60,7 +61,6 @@ int run_window(QApplication& application, UserFiles& files, const CommandLine& l
         take_screenshot(window, session, line);
         code = nobody.warned() ? 1 : 0;
     } else {
-        window.show();
         begin(window, session, line);
         QTimer::singleShot(0, &window, &MainWindow::tell_left_runs);
         const StopByRequest request(StopByRequest::Patience::endless);

@@ -156,12 +156,8 @@ void SourceDialog::connect_fields() {
         // What was set is of the recording that it was set for.
         SourceParams other = goes_on_ ? source() : source_;
         const bool same = ui_->path->text().trimmed().toStdString() == source_.file;
+        if (!same && !goes_on_) forget_recording(other);
         other.read = same ? source_.read : for_another_recording(source_.read);
-        if (!same && !goes_on_) {
-            other.map.clear();
-            other.hold = false;
-            other.start.clear();
-        }
         ui_->scan_topic->setText(QString::fromStdString(other.read.scan_topic));
         ui_->odom_topic->setText(QString::fromStdString(other.read.odom_topic));
         how_read_->show(other);

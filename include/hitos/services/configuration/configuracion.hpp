@@ -58,8 +58,9 @@ void set_parameter(Configuracion& configuration, std::string_view assignment);
 /// values that are each allowed but impossible together.
 void check(const Configuracion& configuration);
 
-/// What was said of the recording alone, how it is read and what was changed in its graph, is not
-/// said of another one.
+/// What was said of the recording alone, how it is read, which map it goes on with and what was
+/// changed in its graph, is not said of another one.
+void forget_recording(SourceParams& source);
 void forget_recording(Configuracion& configuration);
 
 }  // namespace hitos
