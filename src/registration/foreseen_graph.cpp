@@ -107,6 +107,9 @@ bool Registration::Impl::foresee(const std::string& text) {
             if (edit.kind == GraphEdit::Kind::slip) say_of_step(edit.scan.scan, after);
         }
     }
+    // What changes came last, as who reads them expects it.
+    for (std::vector<LoopRecord>* loops : {&loops_, &refused_})
+        std::ranges::stable_sort(*loops, {}, &LoopRecord::scan);
     PoseGraphSolver solver(graph_.size(), graph_.edges);
     // Robust weights would hold what was there against what is new and large.
     solver.solve(graph_.poses, solution(1, false));
@@ -169,20 +172,21 @@ void Registration::Impl::unbend(const GraphEdit& edit) {
     if (edit.has_pose()) {
         const PoseEdge made = edge_by_hand(edit);
         std::erase_if(graph_.edges, [&](const PoseEdge& edge) {
-            return edge.kind == EdgeKind::by_hand && edge.from == made.from && edge.to == made.to &&
+            return edge.kind == made.kind && edge.from == made.from && edge.to == made.to &&
                    edge.z == made.z;
         });
     }
     if (edit.kind == GraphEdit::Kind::close) part(edit);
     if (edit.kind != GraphEdit::Kind::refuse) return;
+    const NamedLoop refusal{edit.scan.scan, edit.earlier.scan};
     // What it has kept out.
     for (LoopRecord& loop : refused_) {
-        if (loop.refused_from != edit.scan.scan) continue;
+        if (loop.refused_by != refusal) continue;
         const GraphEdit found{
             GraphEdit::Kind::close, {loop.scan}, {loop.earlier}, loop.pose_earlier_scan};
         graph_.edges.push_back(edge_by_hand(found));
         loop.verdict = LoopVerdict::closed;
-        loop.refused_from.reset();
+        loop.refused_by.reset();
         loops_.push_back(loop);
     }
     std::erase_if(refused_,
@@ -198,7 +202,7 @@ void Registration::Impl::part(const GraphEdit& edit) {
         if (edit.kind == GraphEdit::Kind::refuse) {
             refused_.push_back(loop);
             refused_.back().verdict = LoopVerdict::by_hand;
-            refused_.back().refused_from = edit.scan.scan;
+            refused_.back().refused_by = NamedLoop{edit.scan.scan, edit.earlier.scan};
         }
         return true;
     });

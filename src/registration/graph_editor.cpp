@@ -18,16 +18,20 @@ bool makes_key(const GraphEdit& edit, std::uint64_t scan) {
            (edit.scan.scan == scan || (edit.of_two() && edit.earlier.scan == scan));
 }
 
-/// Whether the stretch that was refused from a scan on, which begins there, passes the place that
-/// an edit names.
-bool passes(std::uint64_t from, const GraphEdit& edit, const KeyGraph& graph,
+/// What a change of two scans names.
+NamedLoop named_by(const GraphEdit& edit) {
+    return {edit.scan.scan, edit.earlier.scan};
+}
+
+/// Whether the stretch that a refusal keeps out passes the place that an edit names.
+bool passes(const GraphEdit& refusal, const GraphEdit& edit, const KeyGraph& graph,
             std::span<const LoopRecord> refused) {
     const Joint named = graph.joint_at(edit.scan.scan, edit.earlier.scan);
     std::optional<Joint> nearest;
     double begin_m = named.later_m + Joint::kBeside;
     const auto away_m = [&](const Joint& joint) { return std::abs(joint.later_m - named.later_m); };
     for (const LoopRecord& loop : refused) {
-        if (loop.refused_from != from) continue;
+        if (loop.refused_by != named_by(refusal)) continue;
         const Joint joint = graph.joint_at(loop.scan, loop.earlier);
         begin_m = std::min(begin_m, joint.later_m);
         if (!nearest || away_m(joint) < away_m(*nearest)) nearest = joint;
@@ -149,7 +153,7 @@ bool GraphEditor::names(const GraphEdit& edit, const KeyGraph& graph, const Loop
            std::abs(way_m(loop.key) - way_m(graph.key_at(edit.earlier.scan))) <= Joint::kBeside;
 }
 
-std::optional<std::uint64_t> GraphEditor::refuses(const KeyGraph& graph, const LoopFound& loop) {
+std::optional<NamedLoop> GraphEditor::refuses(const KeyGraph& graph, const LoopFound& loop) {
     constexpr double kMemory = 12.0;   // [m] of way without a find, as that of the search
     constexpr double kSame = 0.8;      // [m], less than what false places have in common
     constexpr double kSameTurn = 0.1;  // [rad]
@@ -159,8 +163,8 @@ std::optional<std::uint64_t> GraphEditor::refuses(const KeyGraph& graph, const L
     for (std::size_t i = 0; i < edits_.size(); ++i) {
         if (met_[i] || !names(edits_[i], graph, loop)) continue;
         met_[i] = true;
-        refused_.push_back({edits_[i].scan.scan, way_m, move});
-        return refused_.back().from;
+        refused_.push_back({named_by(edits_[i]), way_m, move});
+        return refused_.back().by;
     }
     for (Refused& last : refused_) {
         const Pose said = compose(last.move, now);
@@ -169,8 +173,8 @@ std::optional<std::uint64_t> GraphEditor::refuses(const KeyGraph& graph, const L
             std::abs(wrap_angle(said.theta - loop.pose.theta)) > kSameTurn) {
             continue;
         }
-        last = {last.from, way_m, move};
-        return last.from;
+        last = {last.by, way_m, move};
+        return last.by;
     }
     return std::nullopt;
 }
@@ -194,7 +198,7 @@ std::vector<CoveredRefusal> GraphEditor::covered(const KeyGraph& graph,
         if (!is_refusal(place) || edits_[place].scan.scan >= scans) continue;
         for (std::size_t by = 0; by < edits_.size(); ++by) {
             if (!met_[by] || !is_refusal(by)) continue;
-            if (!passes(edits_[by].scan.scan, edits_[place], graph, refused)) continue;
+            if (!passes(edits_[by], edits_[place], graph, refused)) continue;
             covered.push_back({place, by});
             break;
         }

@@ -39,9 +39,9 @@ class GraphEditor {
     /// The changes of the graph's newest key that put edges into it; where nobody knows where it
     /// lies in the map (not `placed`) no anchors.
     std::vector<GraphEdit> of_newest(const KeyGraph& graph, bool placed);
-    /// Whether a loop, of the graph's newest key, is refused: by the refusal of which scan. What is
-    /// found after it and says the same of where the robot is, is refused with it.
-    std::optional<std::uint64_t> refuses(const KeyGraph& graph, const LoopFound& loop);
+    /// Whether a loop, of the graph's newest key, is refused: what the refusal names. What is found
+    /// after it and says the same of where the robot is, is refused with it.
+    std::optional<NamedLoop> refuses(const KeyGraph& graph, const LoopFound& loop);
     std::vector<std::uint64_t> unmet() const;
     /// By the loops that were refused in that graph, of so many scans.
     std::vector<CoveredRefusal> covered(const KeyGraph& graph, std::span<const LoopRecord> refused,
@@ -52,7 +52,7 @@ class GraphEditor {
     /// Of a refused stretch the last place: the way driven to it, and how it would have moved the
     /// robot in the world.
     struct Refused {
-        std::uint64_t from;
+        NamedLoop by;
         double way_m;
         Pose move;
     };

@@ -76,7 +76,7 @@ void KeyGraph::cut(std::size_t begin) {
         std::erase_if(joined_[key], [&](std::uint32_t other) { return across(key, other); });
     }
     for (const PoseEdge& edge : edges) {
-        if (edge.from > 0 && across(edge.from, edge.to)) join(edge.from, edge.to);
+        if (edge.kind == EdgeKind::by_hand && across(edge.from, edge.to)) join(edge.from, edge.to);
     }
 }
 

@@ -101,7 +101,7 @@ std::optional<LaidDrawing> laid_drawing(std::span<const KeyPose> keys,
 PoseEdge edge_from_first(const PoseEdge& anchor, const KeyPose& first, const LaidDrawing& drawing) {
     PoseEdge edge = anchor;
     const Pose seen = between(first.pose, drawing.pose);
-    edge.kind = EdgeKind::by_hand;
+    edge.kind = EdgeKind::fix;
     edge.from = 0;
     edge.z = compose(seen, anchor.z);
     edge.information = turned(anchor.information, seen.theta);

@@ -213,8 +213,8 @@ void Registration::Impl::close_loop(std::vector<KeyPose>& before) {
     if (!found) return;
     LoopRecord record = found->record;
     std::vector<KeyPose> now = graph_.poses;
-    record.refused_from = editor_.refuses(graph_, *found);
-    record.verdict = record.refused_from ? LoopVerdict::by_hand : close(*found, record);
+    record.refused_by = editor_.refuses(graph_, *found);
+    record.verdict = record.refused_by ? LoopVerdict::by_hand : close(*found, record);
     closer_.forget();
     if (record.verdict != LoopVerdict::closed) {
         graph_.poses = std::move(now);

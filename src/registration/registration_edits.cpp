@@ -21,7 +21,6 @@ void Registration::Impl::edit_graph(std::vector<KeyPose>& before) {
     const std::vector<GraphEdit> edits = editor_.of_newest(graph_, placed);
     if (edits.empty()) return;
     if (graph_.size() > 1) before = graph_.poses;
-    const std::size_t first_edge = graph_.edges.size();
     const std::size_t first_loop = loops_.size();
     for (const GraphEdit& edit : edits) {
         if (edit.anchors()) {
@@ -38,23 +37,48 @@ void Registration::Impl::edit_graph(std::vector<KeyPose>& before) {
         believe(edge.from);
     }
     if (graph_.size() < 2) {
-        note_known_places(edits, 0.0, 0);
+        note_known_places(edits, std::vector<double>(edits.size(), 0.0), 0);
         return;
     }
+    // A tour that is laid where it belongs has lost its step from the one before.
+    const std::size_t edges = edits.size();
+    const std::size_t first_edge = graph_.edges.size() - edges;
     PoseGraphSolver solver(graph_.size(), graph_.edges);
     solver.solve(graph_.poses, solution(6, false), first_edge);
     const double tension_before = tension(std::span(graph_.edges).first(first_edge));
+    const std::vector<KeyPose> as_they_lay = graph_.poses;
     solver.solve(graph_.poses, solution(6, false));
-    const double bent = tension(graph_.edges) - tension_before;
+    std::vector<double> bent(edges, tension(graph_.edges) - tension_before);
+    if (edges > 1 && bent.front() > explained_chi_square(edges))
+        blame_one(as_they_lay, tension_before, bent);
     solver.solve(graph_.poses, solution(6, true));
     const double move_m = greatest_move(before, graph_.poses);
-    for (LoopRecord& loop : std::span(loops_).subspan(first_loop)) {
-        loop.chi_square = bent;
-        loop.move_m = move_m;
+    for (std::size_t i = 0, loop = first_loop; i < edges; ++i) {
+        if (edits[i].kind != GraphEdit::Kind::close) continue;
+        loops_[loop].chi_square = bent[i];
+        loops_[loop++].move_m = move_m;
     }
-    note_known_places(edits, bent, graph_.edges.size() - first_edge);
+    note_known_places(edits, bent, edges);
     figures_.largest_correction_m = std::max(figures_.largest_correction_m, move_m);
     closer_.forget();
+}
+
+/// Where one of the newest edges bends the graph by itself more than it explains, each one has what
+/// it does so; else they contradict each other, and `bent` stays what all do together.
+void Registration::Impl::blame_one(const std::vector<KeyPose>& poses, double tension_before,
+                                   std::vector<double>& bent) {
+    const std::vector<KeyPose> together = std::exchange(graph_.poses, poses);
+    std::vector<PoseEdge> edges(graph_.edges.begin(),
+                                graph_.edges.end() - static_cast<std::ptrdiff_t>(bent.size() - 1));
+    std::vector<double> alone;
+    for (const PoseEdge& edge : std::span(graph_.edges).last(bent.size())) {
+        edges.back() = edge;
+        graph_.poses = poses;
+        solve(graph_.poses, edges, solution(6, false));
+        alone.push_back(tension(edges) - tension_before);
+    }
+    graph_.poses = together;
+    if (*std::ranges::max_element(alone) > explained_chi_square(1)) bent = alone;
 }
 
 /// That two keys lie as somebody says; those of a place that is known from the first one. A scan
@@ -71,7 +95,8 @@ PoseEdge Registration::Impl::edge_by_hand(const GraphEdit& edit) const {
         z = compose(placed_[edit.earlier.scan].pose_key_scan, z);
     }
     const Eigen::Vector3d information = sigmas_by_hand(edit.kind).cwiseAbs2().cwiseInverse();
-    return {from, to, z, information.asDiagonal().toDenseMatrix(), EdgeKind::by_hand};
+    return {from, to, z, information.asDiagonal().toDenseMatrix(),
+            fix ? EdgeKind::fix : EdgeKind::by_hand};
 }
 
 LoopRecord Registration::Impl::loop_by_hand(const GraphEdit& edit, const PoseEdge& edge) {
@@ -165,12 +190,12 @@ void Registration::Impl::expect_like_the_others(const GraphEdit& edit) const {
         number_of(edit), edit.scan.scan + 1, std::round(turned * 180.0 / kPi));
 }
 
-void Registration::Impl::note_known_places(std::span<const GraphEdit> edits, double bent,
-                                           std::size_t edges) {
-    for (const GraphEdit& edit : edits) {
-        const NotedChange noted{edit, bent, explained_chi_square(edges)};
-        if (edit.anchors()) anchors_.push_back(noted);
-        if (edit.kind == GraphEdit::Kind::fix) fixes_.push_back(noted);
+void Registration::Impl::note_known_places(std::span<const GraphEdit> edits,
+                                           std::span<const double> bent, std::size_t edges) {
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+        const NotedChange noted{edits[i], bent[i], explained_chi_square(edges)};
+        if (edits[i].anchors()) anchors_.push_back(noted);
+        if (edits[i].kind == GraphEdit::Kind::fix) fixes_.push_back(noted);
     }
 }
 

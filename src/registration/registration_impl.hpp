@@ -112,7 +112,10 @@ class Registration::Impl {
     PoseEdge anchor(const GraphEdit& edit) const;
     std::size_t number_of(const GraphEdit& edit) const;
     void expect_like_the_others(const GraphEdit& edit) const;
-    void note_known_places(std::span<const GraphEdit> edits, double bent, std::size_t edges);
+    void blame_one(const std::vector<KeyPose>& poses, double tension_before,
+                   std::vector<double>& bent);
+    void note_known_places(std::span<const GraphEdit> edits, std::span<const double> bent,
+                           std::size_t edges);
     std::vector<AnchorFigures> anchor_figures() const;
     void tell_edges(bool anew);
     LoopRecord loop_by_hand(const GraphEdit& edit, const PoseEdge& edge);

@@ -58,8 +58,8 @@ void Registration::Impl::find_piece(std::vector<KeyPose>& before) {
     clock_.ends(RegistrationStage::search);
     if (!found) return;
     LoopRecord record = found->record;
-    record.refused_from = editor_.refuses(graph_, *found);
-    if (record.refused_from) {
+    record.refused_by = editor_.refuses(graph_, *found);
+    if (record.refused_by) {
         record.verdict = LoopVerdict::by_hand;
         refused_.push_back(record);
         return;

@@ -80,6 +80,25 @@ TEST_F(LoopsTest, EveryPlaceIsARowAndJudgedByTheReference) {
     EXPECT_EQ(content("measured/loops.csv"), content("out/loops.csv"));
 }
 
+TEST_F(LoopsTest, WhereNoneIsClosedThoseThatWereRefusedAreJudged) {
+    ASSERT_EQ(run("plain").status, 0);
+    std::string refusals;
+    for (const json& loop : quality_of("plain")["loops"])
+        refusals += "refuse " + loop["scan"].dump() + " " + loop["earlier"].dump() + ";";
+    ASSERT_EQ(run("none", "--set 'registration.edits=" + refusals + "'").status, 0);
+    ASSERT_EQ(quality_of("none")["loops_closed"], 0);
+    const test::Outcome evaluated =
+        test::shell(cli_ + " evaluate " + path("none") + " --reference-trajectory " +
+                    path("truth.tum") + " --json --out " + path("measured"));
+    ASSERT_EQ(evaluated.status, 0) << evaluated.output;
+    const json figures = json::parse(evaluated.output);
+    EXPECT_EQ(figures["loops_judged"], 0);
+    EXPECT_FALSE(figures.contains("worst_loop_m"));
+    const std::vector<std::string> rows = lines_of(content("measured/loops.csv"));
+    ASSERT_GT(rows.size(), 1U);
+    EXPECT_THAT(rows[0], HasSubstr("error_m"));
+}
+
 TEST_F(LoopsTest, ChangesByHandAreDoneAgainToTheSameBytes) {
     ASSERT_EQ(run("plain").status, 0);
     EXPECT_FALSE(std::filesystem::exists(folder_ / "plain/edits.toml"));
@@ -100,11 +119,19 @@ TEST_F(LoopsTest, ChangesByHandAreDoneAgainToTheSameBytes) {
     EXPECT_THAT(content("changed/edits.toml"), HasSubstr("refuse " + first["scan"].dump() + "@"));
 
     ASSERT_EQ(run("again", "--edits " + path("changed/edits.toml")).status, 0);
-    for (const char* file : {"map.txt", "trajectory.tum", "loops.csv", "edits.toml",
+    for (const char* file : {"map.txt", "trajectory.tum", "loops.csv", "edits.toml", "config.cfg",
                              "grid_best.png", "segments.txt"}) {
         const std::string name = file;
         EXPECT_EQ(content("again/" + name), content("changed/" + name)) << name;
     }
+    // It is the same run, whose folder takes it.
+    const test::Outcome there =
+        test::shell(cli_ + " run " + tour_ + " --preset recorded --set filter.particles=5 " +
+                    "--edits " + path("changed/edits.toml") + " --out " + path("changed"));
+    EXPECT_EQ(there.status, 0) << there.output;
+    const test::Outcome compared =
+        test::shell(cli_ + " compare " + path("changed") + " " + path("again"));
+    EXPECT_THAT(compared.output, Not(HasSubstr("registration.edits")));
     EXPECT_NE(content("again/trajectory.tum"), content("plain/trajectory.tum"));
     // The same changes by either way are the same configuration too.
     const std::string named = "refuse " + scans + "  # wrong\nslip 100";
@@ -243,10 +270,13 @@ TEST_F(LoopsTest, ChangesThatDoNotFitAreRefusedWithTheReason) {
     const std::string other = path("other.log");
     ASSERT_EQ(
         test::shell(cli_ + " simulate recinto --seed 4 --format carmen --out " + other).status, 0);
-    const test::Outcome refused = test::shell(cli_ + " run " + other + " --preset recorded --out " +
-                                              path("bad") + " --edits " + path("made/edits.toml"));
-    EXPECT_NE(refused.status, 0);
-    EXPECT_THAT(refused.output, HasSubstr("scan 50 was another one when it was made"));
+    for (const std::string& from : {"--preset recorded --edits " + path("made/edits.toml"),
+                                    "--config " + path("made/config.cfg")}) {
+        const test::Outcome refused =
+            test::shell(cli_ + " run " + other + " --out " + path("bad") + " " + from);
+        EXPECT_NE(refused.status, 0);
+        EXPECT_THAT(refused.output, HasSubstr("scan 50 was another one when it was made"));
+    }
     // One that lies on nothing is closed, and told.
     const test::Outcome absurd = run("absurd", "--set 'registration.edits=close 400 20 50 0 0'");
     EXPECT_EQ(absurd.status, 0);

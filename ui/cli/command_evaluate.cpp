@@ -23,6 +23,7 @@
 #include "hitos/services/evaluation/run_loops.hpp"
 #include "hitos/services/results/kept_run.hpp"
 #include "hitos/services/results/results.hpp"
+#include "hitos/slam/filters.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "options.hpp"
 #include "report.hpp"
@@ -193,15 +194,17 @@ void tell_crispness(Report& report, const std::string& before, const PathCrispne
 
 /// Of the run's own path alone: its loops say nothing of another.
 void evaluate_loops(const EvaluateOptions& options, Report& report) {
-    std::vector<RunLoop> loops = read_results(options.run).loops;
-    judge_loops(loops, read_trajectory(options.reference_trajectory), options.tolerance_s);
-    const LoopPrecision precision = precision_of(loops);
-    if (precision.judged == 0) return;
+    KeptRun run = read_results(options.run);
+    if (!needs_registration(run.configuration.filter)) return;
+    judge_loops(run.loops, read_trajectory(options.reference_trajectory), options.tolerance_s);
+    const LoopPrecision precision = precision_of(run.loops);
     report.count("loops_judged", precision.judged);
-    report.count("loops_false", precision.wrong);
-    report.figure("worst_loop_m", precision.worst_m, 6);
-    report.figure("worst_loop_rad", precision.worst_rad, 6);
-    if (!options.out.empty()) write_file(out_file(options, "loops.csv"), loops_csv(loops));
+    if (precision.judged > 0) {
+        report.count("loops_false", precision.wrong);
+        report.figure("worst_loop_m", precision.worst_m, 6);
+        report.figure("worst_loop_rad", precision.worst_rad, 6);
+    }
+    if (!options.out.empty()) write_file(out_file(options, "loops.csv"), loops_csv(run.loops));
 }
 
 void evaluate_crispness(const EvaluateOptions& options, Report& report) {

@@ -29,6 +29,13 @@ std::string_view word_of(LoopVerdict verdict);
 /// Throws Error for another word.
 LoopVerdict verdict_of(std::string_view word);
 
+/// A loop by its scans.
+struct NamedLoop {
+    std::uint64_t scan = 0;
+    std::uint64_t earlier = 0;
+    friend bool operator==(const NamedLoop&, const NamedLoop&) = default;
+};
+
 /// Figures that come later than the reason why it was refused are not there.
 struct LoopRecord {
     std::uint64_t scan = 0;     ///< at which it was found
@@ -49,8 +56,8 @@ struct LoopRecord {
     std::optional<double> weight;
     LoopVerdict verdict = LoopVerdict::closed;
     bool by_hand = false;  ///< somebody has closed it
-    /// Of one that somebody has refused: the scan that the refusal names.
-    std::optional<std::uint64_t> refused_from;
+    /// Of one that somebody has refused: what the refusal names.
+    std::optional<NamedLoop> refused_by;
 };
 /// For people: why it was closed or not, with the figure that decided.
 Message reason_of(const LoopRecord& loop);

@@ -20,6 +20,7 @@ enum class EdgeKind : std::uint8_t {
     scan,      ///< what the key's scan says against a key not long ago
     loop,      ///< what it says against one of an earlier passage
     by_hand,   ///< what somebody says: it keeps its weight, however far the rest is from it
+    fix,       ///< the same of where a key lies in the map, from the first one
     anchor     ///< the same of a place in a drawing, wherever the drawing lies
 };
 
@@ -37,7 +38,7 @@ struct PoseEdge {
     Point2 at = {};
 
     /// Whether somebody has said it.
-    bool said() const { return kind == EdgeKind::by_hand || kind == EdgeKind::anchor; }
+    bool said() const { return kind >= EdgeKind::by_hand; }
 };
 
 /// The error of an edge and its derivatives by both poses.

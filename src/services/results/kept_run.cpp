@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "hitos/base/error.hpp"
+#include "hitos/registration/graph_edit.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/files/map_file.hpp"
@@ -99,12 +100,24 @@ bool same_log(const Configuracion& a, const Configuracion& b) {
            std::filesystem::weakly_canonical(b.source.file, none);
 }
 
+namespace {
+
+/// Changes by hand are the same with and without the stamps and marks of their scans.
+bool same_value(const ConfigParameter& parameter, const Configuracion& a, const Configuracion& b) {
+    if (parameter.get(a) == parameter.get(b)) return true;
+    return parameter.key == kGraphEditsKey &&
+           std::ranges::equal(parse_graph_edits(a.registration.edits),
+                              parse_graph_edits(b.registration.edits), same_change);
+}
+
+}  // namespace
+
 std::vector<const ConfigParameter*> differences(const Configuracion& a, const Configuracion& b) {
     std::vector<const ConfigParameter*> found;
     for (const ConfigParameter& parameter : parameters()) {
         if (parameter.key == "source.file" || parameter.key == "run.threads") continue;
         if (!parameter.used_by(a) && !parameter.used_by(b)) continue;
-        if (parameter.get(a) != parameter.get(b)) found.push_back(&parameter);
+        if (!same_value(parameter, a, b)) found.push_back(&parameter);
     }
     return found;
 }

@@ -359,9 +359,18 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
                          OdometryGridAhead* ahead, std::span<const std::string> also,
                          const std::function<bool()>& stop) {
     RunSummary summary;
-    FinishedRun finished{
-        run,   references, summary, run.best_trajectory(), run.filter().best_map(), {},
-        ahead, also,       stop,    folder.target()};
+    const Trajectory best = run.best_trajectory();
+    FinishedRun finished{run,
+                         references,
+                         summary,
+                         written_configuration(run, best),
+                         best,
+                         run.filter().best_map(),
+                         {},
+                         ahead,
+                         also,
+                         stop,
+                         folder.target()};
     const double began = thread_seconds();
     summary = summary_of(run, finished.map, finished.best, references, stop);
     if (run.options().time_stages) {

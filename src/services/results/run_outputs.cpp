@@ -154,14 +154,14 @@ RunOutput grid(const std::string& stem, MakeGrid make_grid, PathOf path_of) {
 }
 
 /// Of the scans that have a stamp; none where the log cannot be read any more.
-void note_marks(const FinishedRun& finished, std::vector<GraphEdit>& edits) {
+void note_marks(const Algoritmo& run, std::vector<GraphEdit>& edits) {
     std::multimap<std::uint64_t, EditedScan*> named;
     for (GraphEdit& edit : edits) {
         for (EditedScan* scan : {&edit.scan, &edit.earlier})
             if (scan->stamp_s) named.emplace(scan->scan, scan);
     }
     try {
-        const std::unique_ptr<TourReader> reader = finished.run.reader().reopen();
+        const std::unique_ptr<TourReader> reader = run.reader().reopen();
         auto next = named.begin();
         for (std::uint64_t number = 0; next != named.end(); ++number) {
             const std::optional<Scan> scan = reader->next_scan();
@@ -173,22 +173,13 @@ void note_marks(const FinishedRun& finished, std::vector<GraphEdit>& edits) {
     }
 }
 
-/// The changes by hand with the stamps and marks of their scans, so that no other tour takes them.
 std::string edits_text(const FinishedRun& finished) {
-    const Configuracion& configuration = finished.run.configuration();
-    std::vector<GraphEdit> edits = parse_graph_edits(configuration.registration.edits);
-    for (GraphEdit& edit : edits) {
-        for (EditedScan* scan : {&edit.scan, &edit.earlier}) {
-            if (scan->scan < finished.best.size() && (scan == &edit.scan || edit.of_two()))
-                scan->stamp_s = finished.best[scan->scan].time_s;
-        }
-    }
-    note_marks(finished, edits);
+    const std::string source = finished.configuration.source.file;
     return ArchivoConfiguracion::edits_text(
         fmt::format("What was changed by hand in the graph of {}; hitos-cli run LOG --edits "
                     "edits.toml does it again. docs/formats.md says what each change does.",
-                    in_utf8(on_one_line(Folder(configuration.source.file).filename().string()))),
-        text_of(edits));
+                    on_one_line(Folder(source).filename().string())),
+        finished.configuration.registration.edits);
 }
 
 const Trajectory& best_path(const FinishedRun& finished) {
@@ -329,10 +320,7 @@ std::vector<RunOutput> make_outputs() {
             [](const Run& r, const Folder& file) { write_trajectory(odometry_path(r), file); }),
         essential("config.cfg",
                   [](const Run& r, const Folder& file) {
-                      Configuracion configuration = r.run.configuration();
-                      // A log's name may be of any bytes, the text of a configuration may not.
-                      configuration.source.file = in_utf8(configuration.source.file);
-                      ArchivoConfiguracion::write(configuration, file, r.folder);
+                      ArchivoConfiguracion::write(r.configuration, file, r.folder);
                   }),
         where(shows_space,
               grid(
@@ -392,6 +380,24 @@ std::vector<RunOutput> make_outputs() {
 }
 
 }  // namespace
+
+Configuracion written_configuration(const Algoritmo& run, const Trajectory& best) {
+    Configuracion configuration = run.configuration();
+    // A log's name may be of any bytes, the text of a configuration may not.
+    configuration.source.file = in_utf8(configuration.source.file);
+    std::string& changes = configuration.registration.edits;
+    if (run.registration() == nullptr || changes.empty()) return configuration;
+    std::vector<GraphEdit> edits = parse_graph_edits(changes);
+    for (GraphEdit& edit : edits) {
+        for (EditedScan* scan : {&edit.scan, &edit.earlier}) {
+            if (scan->scan < best.size() && (scan == &edit.scan || edit.of_two()))
+                scan->stamp_s = best[scan->scan].time_s;
+        }
+    }
+    note_marks(run, edits);
+    changes = text_of(edits);
+    return configuration;
+}
 
 Message left_out() {
     return marked(HITOS_TEXT("Errors", "the run was asked to end, and this takes long"));

@@ -18,6 +18,7 @@ struct FinishedRun {
     const Algoritmo& run;
     const References& references;
     const RunSummary& summary;
+    Configuracion configuration;  ///< as written_configuration() has it
     Trajectory best;
     LandmarkMap map;
     std::vector<LineExtent> segments;  ///< of the map's lines
@@ -28,6 +29,10 @@ struct FinishedRun {
 
     bool stopped() const { return stop && stop(); }
 };
+
+/// A run's configuration for a file: its changes by hand have the stamps and marks of their scans,
+/// so that no other tour takes them. `best` is its path.
+Configuracion written_configuration(const Algoritmo& run, const Trajectory& best);
 
 /// A file of a run, or several that belong together.
 struct RunOutput {

@@ -30,7 +30,8 @@ inline void put_loop(std::string& bytes, const LoopRecord& loop) {
     put(bytes, loop.scan, loop.earlier, loop.pose_earlier_scan, loop.way_m, loop.score,
         loop.overlap, loop.seen_through.value_or(-1.0), loop.chi_square.value_or(-1.0),
         loop.chi_square_limit.value_or(-1.0), loop.move_m, loop.weight.value_or(-1.0), loop.verdict,
-        loop.by_hand, loop.refused_from.value_or(0));
+        loop.by_hand, loop.refused_by ? loop.refused_by->scan : 0);
+    if (loop.refused_by) put(bytes, loop.refused_by->earlier);
 }
 
 inline void put_hypotheses(std::string& bytes, const SlamFilter& filter) {

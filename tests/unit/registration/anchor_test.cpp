@@ -276,7 +276,7 @@ TEST_F(BentCorridor, WhoKnowsNoDrawingHasThemAsEdgesFromTheFirst) {
         std::vector<PoseEdge> found;
         for (const PoseEdge& edge : driven.registration.edges()) {
             EXPECT_NE(edge.kind, EdgeKind::anchor);
-            if (edge.kind == EdgeKind::by_hand) found.push_back(edge);
+            if (edge.kind == EdgeKind::fix) found.push_back(edge);
         }
         return found;
     };

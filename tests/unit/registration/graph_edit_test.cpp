@@ -226,6 +226,25 @@ TEST_F(EditedRing, AScanIsHeldWhereItIsFixed) {
     EXPECT_LT(off(), 0.04) << "the scans pull, and lose";
 }
 
+TEST_F(EditedRing, OfSeveralThatSayWhereAScanIsTheWrongOneIsTold) {
+    test::Driven plain = driven("", false);
+    plain.registration.finish();
+    const std::size_t scan = truth_.size() - 20;
+    const Pose lies = plain.registration.path()[scan];
+    const GraphEdit right{GraphEdit::Kind::fix, {scan}, {}, lies};
+    GraphEdit wrong = right;
+    wrong.pose.x += 3.0;
+    const GraphEdit loop{GraphEdit::Kind::close, {scan}, {40}, {20.0, 9.0, 0.0}};
+    const auto told = [&](const std::vector<GraphEdit>& edits) {
+        return driven(text_of(edits), false).registration.figures().strained_fix;
+    };
+    EXPECT_EQ(told({right}), std::nullopt);
+    EXPECT_EQ(told({wrong}), 0U);
+    EXPECT_EQ(told({right, loop}), std::nullopt) << "it is the loop that bends the map";
+    EXPECT_EQ(told({loop, right}), std::nullopt);
+    EXPECT_EQ(told({loop, wrong}), 1U);
+}
+
 TEST_F(EditedRing, AStepThatSlippedSaysNothing) {
     RegistrationParams params;
     params.edits = "slip 3";
@@ -354,6 +373,18 @@ TEST_F(EditedRing, ALoopThatIsRefusedIsForeseenOpen) {
     EXPECT_TRUE(std::ranges::any_of(refused.registration.loops(), [&](const LoopRecord& one) {
         return one.scan == loop.scan && one.verdict == LoopVerdict::closed;
     }));
+    // They are in the order of their scans, as those of a run are.
+    for (const Registration* one : {&open, &refused.registration}) {
+        EXPECT_TRUE(std::ranges::is_sorted(one->loops(), {}, &LoopRecord::scan));
+        EXPECT_TRUE(std::ranges::is_sorted(one->refused_loops(), {}, &LoopRecord::scan));
+    }
+    // Another refusal of the same scan has kept out none of them.
+    const GraphEdit other{GraphEdit::Kind::refuse, {loop.scan}, {loop.earlier + 60}};
+    test::Driven two = driven(refuse + "; " + text_of(std::vector<GraphEdit>{other}));
+    two.registration.finish();
+    ASSERT_TRUE(two.registration.foresee(refuse));
+    EXPECT_FALSE(std::ranges::any_of(two.registration.loops(),
+                                     [&](const LoopRecord& one) { return one.scan == loop.scan; }));
     // Of scans that have not come nothing is foreseen, nor before there is a tour.
     const std::vector<Pose> path = plain.registration.path();
     EXPECT_FALSE(plain.registration.foresee("fix 99998 0 0 0"));

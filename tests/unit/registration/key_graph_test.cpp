@@ -54,7 +54,7 @@ TEST(KeyGraph, NothingLeadsOverACutButALoop) {
     graph.join(2, 3);
     graph.join(1, 9);
     for (std::uint32_t key = 1; key < 12; ++key) graph.edges.push_back({key - 1, key, {}});
-    graph.edges.push_back({0, 8, {}, {}, EdgeKind::by_hand});
+    graph.edges.push_back({0, 8, {}, {}, EdgeKind::fix});
     graph.cut(6);
     EXPECT_EQ(graph.part_begin(5), 0U);
     EXPECT_EQ(graph.part_begin(6), 6U);
@@ -73,6 +73,18 @@ TEST(KeyGraph, NothingLeadsOverACutButALoop) {
     graph.join(3, 9);
     graph.reach(11, reach);
     EXPECT_NEAR(reach[2].way_m, 2.0 + 0.1 + 0.1, 1e-9);
+}
+
+TEST(KeyGraph, WhatSomebodyClosedStaysClosedOverACut) {
+    for (const std::uint32_t earlier : {0U, 2U}) {
+        KeyGraph graph = line_of(12, 0.01, 1e-4);
+        graph.join(earlier, 9);
+        graph.edges.push_back({earlier, 9, {}, {}, EdgeKind::by_hand});
+        graph.cut(6);
+        std::vector<GraphReach> reach;
+        graph.reach(9, reach);
+        EXPECT_NEAR(reach[earlier].way_m, 0.1, 1e-12) << earlier;
+    }
 }
 
 TEST(KeyGraph, TheLocalMapHasTheNewestKeysAndTheNearestOfAnEarlierPassage) {

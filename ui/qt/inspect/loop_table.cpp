@@ -54,7 +54,8 @@ auto change_of(const std::vector<GraphEdit>& edits, const RunLoop& loop) {
     });
     if (own != edits.end()) return own;
     return std::ranges::find_if(edits, [&](const GraphEdit& edit) {
-        return edit.kind == GraphEdit::Kind::refuse && loop.record.refused_from == edit.scan.scan;
+        return edit.kind == GraphEdit::Kind::refuse &&
+               loop.record.refused_by == NamedLoop{edit.scan.scan, edit.earlier.scan};
     });
 }
 

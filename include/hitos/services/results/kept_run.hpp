@@ -40,7 +40,8 @@ KeptRun read_results(const std::filesystem::path& folder);
 bool same_log(const Configuracion& a, const Configuracion& b);
 
 /// The parameters in which two configurations differ, but for the log and what changes no result,
-/// in the order of the table; those without effect in both are left out.
+/// in the order of the table; those without effect in both are left out. Throws ConfigError where
+/// their changes by hand are none.
 std::vector<const ConfigParameter*> differences(const Configuracion& a, const Configuracion& b);
 
 }  // namespace hitos

@@ -103,7 +103,7 @@ class OutputCrewTest : public testing::Test {
                                const WritingObserver& told = {}) {
         std::vector<const RunOutput*> all;
         for (const RunOutput& one : outputs) all.push_back(&one);
-        const FinishedRun finished{run_, references_, summary_, {}, {}, {}};
+        const FinishedRun finished{run_, references_, summary_, {}, {}, {}, {}};
         return OutputCrew(finished, folder_.path(), told, all.size()).write(all, threads);
     }
 
