@@ -14,6 +14,7 @@
 #include "laser_units.hpp"
 #include "range_conversor.hpp"
 #include "remedies.hpp"
+#include "walls_beyond.hpp"
 
 namespace hitos {
 namespace {
@@ -98,9 +99,11 @@ std::optional<TourFinding> doubt_units(const Fuente& fuente, const ReadOptions& 
     std::vector<double> all;
     double limit_m = 0.0;
     bool stated = false;
+    WallsBeyond walls;
     look_at_readings(fuente, conversor, [&](const RangeConversor::Readings& readings) {
         limit_m = conversor.limit(readings);
         stated = readings.fan.max_range_m > 0.0;
+        walls.note(readings.ranges_m, limit_m);
         for (const double range : readings.ranges_m) {
             if (!(range > 0.0) || !std::isfinite(range)) continue;
             all.push_back(range);
@@ -113,7 +116,20 @@ std::optional<TourFinding> doubt_units(const Fuente& fuente, const ReadOptions& 
     const auto beyond = std::ranges::count_if(all, [&](double range) { return range >= limit_m; });
     const double typical = median(all);
     const double share = static_cast<double>(beyond) / static_cast<double>(all.size());
-    if (all.size() < kLeastReadings || share < kNearlyAll) return std::nullopt;
+    if (all.size() < kLeastReadings) return std::nullopt;
+    const double seen = static_cast<double>(walls.count) / static_cast<double>(all.size());
+    if (share < kNearlyAll) {
+        if (!stated || options.max_range_m > 0.0 || seen < WallsBeyond::kMost) return std::nullopt;
+        return TourFinding{
+            TourFinding::Kind::blind_laser,
+            seen,
+            message(HITOS_TEXT("Errors",
+                               "%1 % of the readings lie beyond the greatest range of %2 m that "
+                               "the log states, where they go on from ray to ray as walls do, and "
+                               "are no points"),
+                    std::lround(100.0 * seen), fmt::format("{:.4g}", limit_m)),
+            {{marked(HITOS_TEXT("Errors", "take them")), reach(std::ceil(walls.farthest_m))}}};
+    }
     if (typical < kFar && !stated) return std::nullopt;  // outdoors
     const std::optional<Meant> meant = meant_by(fuente, options, limit_m, farthest);
     const Message what = message(

@@ -155,6 +155,9 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
     constexpr double kStep = 0.05;
     constexpr int kSteps = 10;
     constexpr double kMore = 0.02;  // than where it did not drive at all
+    constexpr double kLeastFar = 0.12;
+    constexpr double kTimes = 1.12;
+    constexpr double kTimesNowhere = 1.3;
     constexpr double kAround = 0.15;
     constexpr int kAroundSteps = 30;
     constexpr int kFarSteps = 51;  // to a twelfth, and to twelve times; beyond are units alone
@@ -178,11 +181,16 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
     const double told = fit(asked);
     Hypothesis driven_nowhere = asked;
     driven_nowhere.scale = 0.0;
+    const double nowhere = fit(driven_nowhere);
     if (std::abs(best.hypothesis.scale - 1.0) < kLeast - kStep / 2.0 ||
-        best.agreement < told + kClearly || best.agreement < kLeastFit ||
-        best.agreement < fit(driven_nowhere) + kMore) {
+        best.agreement < nowhere + kMore) {
         return;
     }
+    // Where scans lie far from each other few of their points lie close, by the right scale too:
+    // then it stands out among the others.
+    const bool stands_out = best.agreement > std::max(kLeastFar, kTimes * told) &&
+                            best.agreement > kTimesNowhere * nowhere;
+    if (!stands_out && best.agreement < std::max(kLeastFit, told + kClearly)) return;
     const double scale =
         best.hypothesis.scale * (1.0 + middle_offset(fit, kAround, kAroundSteps, [&](double off) {
                                      Hypothesis other = best.hypothesis;

@@ -388,6 +388,29 @@ TEST(TourExamination, AScaleOfTheOdometryIsTold) {
     }
 }
 
+TEST(TourExamination, AScaleOfTheLaserIsToldOfScansThatLieFarApart) {
+    const std::vector<fs::path> tours = recordings("radish", ".log.gz");
+    if (tours.empty()) GTEST_SKIP() << "no recordings in " << kShared;
+    int right = 0;
+    int all = 0;
+    for (const fs::path& tour : tours) {
+        SourceParams params;
+        params.file = tour.string();
+        for (const double scale : {0.5, 0.85, 1.2, 2.0}) {
+            params.read.range_scale = scale;
+            const auto found = inspect_tour(*open_tour(params)).findings;
+            ++all;
+            if (std::ranges::any_of(found, [scale](const TourFinding& finding) {
+                    return finding.kind == Kind::odometry_scale &&
+                           std::abs(finding.value / scale - 1.0) < 0.06;
+                })) {
+                ++right;
+            }
+        }
+    }
+    EXPECT_GE(right, 9 * all / 10) << "of " << all;
+}
+
 /// The pose at every scan by the odometry alone.
 std::vector<Pose> path_of(TourReader& tour) {
     std::vector<Pose> path;

@@ -81,12 +81,15 @@ TEST_F(LoopsTest, EveryPlaceIsARowAndJudgedByTheReference) {
 }
 
 TEST_F(LoopsTest, WhereNoneIsClosedThoseThatWereRefusedAreJudged) {
-    ASSERT_EQ(run("plain").status, 0);
     std::string refusals;
-    for (const json& loop : quality_of("plain")["loops"])
-        refusals += "refuse " + loop["scan"].dump() + " " + loop["earlier"].dump() + ";";
-    ASSERT_EQ(run("none", "--set 'registration.edits=" + refusals + "'").status, 0);
-    ASSERT_EQ(quality_of("none")["loops_closed"], 0);
+    for (int closed = -1; closed != 0;) {
+        ASSERT_EQ(run("none", "--set 'registration.edits=" + refusals + "'").status, 0);
+        const json quality = quality_of("none");
+        for (const json& loop : quality["loops"])
+            refusals += "refuse " + loop["scan"].dump() + " " + loop["earlier"].dump() + ";";
+        ASSERT_NE(quality["loops_closed"], closed);
+        closed = quality["loops_closed"];
+    }
     const test::Outcome evaluated =
         test::shell(cli_ + " evaluate " + path("none") + " --reference-trajectory " +
                     path("truth.tum") + " --json --out " + path("measured"));

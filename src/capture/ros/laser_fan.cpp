@@ -48,6 +48,8 @@ MountedScan mounted_scan(const LaserScanMessage& scan, const Transform& robot_la
     mounted.least_range_m = least;
     if (std::isfinite(greatest)) mounted.fan.max_range_m = std::max(0.0, greatest);
     mounted.ranges_m = scan.ranges_m;
+    if (mounted.fan.max_range_m > 0.0)
+        mounted.walls_beyond.note(scan.ranges_m, mounted.fan.max_range_m);
     for (float& range : mounted.ranges_m) {
         const bool measured = std::isfinite(range) && range > 0.0F;
         if (measured) ++mounted.readings;

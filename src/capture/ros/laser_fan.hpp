@@ -9,6 +9,7 @@
 
 #include "hitos/capture/scan.hpp"
 #include "ros/messages.hpp"
+#include "walls_beyond.hpp"
 
 namespace hitos {
 
@@ -26,6 +27,7 @@ struct MountedScan {
     std::uint32_t readings = 0;
     std::uint32_t too_near = 0;
     double least_range_m = 0.0;
+    WallsBeyond walls_beyond;     ///< its greatest range
     bool swapped_limits = false;  ///< the least range and the greatest, which were put right
 };
 

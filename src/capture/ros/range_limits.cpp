@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "remedies.hpp"
 
 namespace hitos {
 
@@ -11,12 +14,14 @@ void RangeLimits::note(const MountedScan& scan, const std::string& topic) {
     Laser& laser = lasers_[topic];
     laser.readings += scan.readings;
     laser.too_near += scan.too_near;
+    laser.walls_beyond += scan.walls_beyond.count;
+    laser.farthest_m = std::max(laser.farthest_m, scan.walls_beyond.farthest_m);
     laser.least_m = scan.least_range_m;
     laser.greatest_m = scan.fan.max_range_m;
     laser.swapped = laser.swapped || scan.swapped_limits;
 }
 
-void RangeLimits::tell(std::vector<TourFinding>& found) const {
+void RangeLimits::tell(const ReadOptions& options, std::vector<TourFinding>& found) const {
     constexpr double kMost = 0.8;
     const auto metres = [](double range) { return fmt::format("{:.4g}", range); };
     for (const auto& [topic, laser] : lasers_) {
@@ -44,6 +49,19 @@ void RangeLimits::tell(std::vector<TourFinding>& found) const {
                          std::lround(100.0 * share), topic, metres(laser.least_m)),
                  {{marked(HITOS_TEXT("Errors", "let the driver say the laser's own range_min"))}}});
         }
+        const double beyond =
+            static_cast<double>(laser.walls_beyond) / static_cast<double>(laser.readings);
+        if (laser.swapped || options.max_range_m > 0.0 || !(beyond > WallsBeyond::kMost)) continue;
+        found.push_back(
+            {TourFinding::Kind::blind_laser,
+             beyond,
+             message(HITOS_TEXT("Errors",
+                                "%1 % of the readings of %2 lie beyond the greatest range of %3 m "
+                                "that it says, where they go on from ray to ray as walls do, and "
+                                "are no points"),
+                     std::lround(100.0 * beyond), topic, metres(laser.greatest_m)),
+             {{marked(HITOS_TEXT("Errors", "take them")),
+               set("source.max_range", metres(std::ceil(laser.farthest_m)))}}});
     }
 }
 

@@ -16,12 +16,14 @@ namespace hitos {
 class RangeLimits {
   public:
     void note(const MountedScan& scan, const std::string& topic);
-    void tell(std::vector<TourFinding>& found) const;
+    void tell(const ReadOptions& options, std::vector<TourFinding>& found) const;
 
   private:
     struct Laser {
         std::uint64_t readings = 0;
         std::uint64_t too_near = 0;
+        std::uint64_t walls_beyond = 0;
+        double farthest_m = 0.0;
         double least_m = 0.0;
         double greatest_m = 0.0;
         bool swapped = false;

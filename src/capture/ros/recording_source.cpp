@@ -98,7 +98,7 @@ std::optional<RecordedMessage> RecordingSource::next(Cursor& cursor) {
 std::vector<TourFinding> RecordingSource::findings() const {
     std::vector<TourFinding> found = plan_->topics.findings;
     parts_.tell(found);
-    limits_.tell(found);
+    limits_.tell(plan_->options, found);
     BrokenStamps of_scans;
     for (const auto& [laser, arrived] : arrived_scans_) of_scans = of_scans + arrived.broken();
     doubt_broken_stamps(of_scans, arrived_readings_.broken(), found);

@@ -293,5 +293,26 @@ TEST(ConversorCarmen, ReadingsInMillimetresAreTold) {
     EXPECT_EQ(blind.findings[0].value, 1.0);
 }
 
+TEST(ConversorCarmen, WallsBeyondAGreatestRangeThatIsTooSmallAreTold) {
+    const auto of = [](double greatest, double far) {
+        std::string text = "PARAM robot_front_laser_max " + std::to_string(greatest) + " h 0\n";
+        for (int i = 0; i < 20; ++i) {
+            text += "FLASER 20";
+            for (int ray = 0; ray < 20; ++ray)
+                text += " " + std::to_string(ray < 15 ? 2.0 + 0.02 * ray
+                                                      : far + 0.1 * (far < 50.0 ? ray : 0));
+            text += " 0 0 0 0 0 0 " + std::to_string(i) + " h " + std::to_string(i) + "\n";
+        }
+        return carmen(text);
+    };
+    const Log log = of(4.0, 8.0);
+    ASSERT_EQ(log.findings.size(), 1U);
+    EXPECT_EQ(log.findings[0].kind, TourFinding::Kind::blind_laser);
+    EXPECT_NEAR(log.findings[0].value, 0.2, 0.01);
+    EXPECT_EQ(log.findings[0].remedies.front().settings.front().value, "10");
+    EXPECT_TRUE(of(40.0, 8.0).findings.empty());
+    EXPECT_TRUE(of(4.0, 81.91).findings.empty()) << "a code for no return";
+}
+
 }  // namespace
 }  // namespace hitos

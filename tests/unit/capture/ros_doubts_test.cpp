@@ -251,7 +251,7 @@ TEST_F(DoubtfulRecording, RangeLimitsThatAreSwappedAreTakenTheOtherWayRound) {
         for (std::uint32_t i = 0; i < 5; ++i) {
             test::LaserFields fields;
             fields.stamp = {kDoubtfulBegin + i, 250'000'000};
-            fields.ranges = {1.0F, 2.0F, 3.0F, 4.5F};
+            fields.ranges = {1.0F, 2.0F, 3.0F, 3.15F};
             fields.min_range = least;
             fields.max_range = greatest;
             all[3 + 3 * i] = test::said_laser(fields, Bytes::cdr());
@@ -269,6 +269,10 @@ TEST_F(DoubtfulRecording, RangeLimitsThatAreSwappedAreTakenTheOtherWayRound) {
     const Log near = laser(5.0, 12.0);
     ASSERT_EQ(kinds(near), std::vector{Doubt::blind_laser});
     EXPECT_EQ(near.findings.front().value, 1.0);
+    const Log far = laser(0.1, 2.5);
+    ASSERT_EQ(kinds(far), std::vector{Doubt::blind_laser});
+    EXPECT_THAT(far.findings.front().what.english(), HasSubstr("go on from ray to ray"));
+    EXPECT_EQ(far.findings.front().remedies.front().settings.front().value, "4");
 }
 
 TEST_F(DoubtfulRecording, TwoSendersOfOneTransformAreNoticed) {
