@@ -235,9 +235,12 @@ std::optional<TourExamination::SetClock> TourExamination::set_clock(const Pairs&
         if (std::abs(undone_s(undone, pair.first.time_s)) >= kShortestDelay)
             meanwhile.push_back(&pair);
     }
-    if (meanwhile.size() < kLeastPairs || best.agreement <= otherwise) return std::nullopt;
+    if (meanwhile.size() < kLeastPairs) return std::nullopt;
+    // Beyond the odometry's times nothing else says where they were taken.
+    const std::optional<double> as_stamped = agreement(meanwhile, Hypothesis{});
+    if (as_stamped && best.agreement <= otherwise) return std::nullopt;
     const double fits = agreement(meanwhile, best.hypothesis).value_or(0.0);
-    const double told_meanwhile = agreement(meanwhile, Hypothesis{}).value_or(0.0);
+    const double told_meanwhile = as_stamped.value_or(0.0);
     if (fits < std::max(kLeastFit, told_meanwhile + kMuchBetter)) return std::nullopt;
     return SetClock{told_leaps(undone, fits, told_meanwhile), best.agreement};
 }

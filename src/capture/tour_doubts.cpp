@@ -352,6 +352,7 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
         std::erase_if(own, of_both);
         std::erase_if(told, of_both);
     }
+    if (own.empty() && told.empty()) doubt_slip(own);
     if (own.empty() && told.empty()) doubt_whole(own);
     if (own.empty() && told.empty()) doubt_motion(own);
     std::erase_if(told, [&](const TourFinding& finding) {

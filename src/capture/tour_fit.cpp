@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "hitos/base/median.hpp"
 #include "hypothesis_search.hpp"
 #include "laser_units.hpp"
 #include "remedies.hpp"
@@ -139,6 +140,7 @@ void TourExamination::doubt_whole(std::vector<TourFinding>& found) const {
     constexpr double kLooksAlike = 0.8;  // from everywhere, as in a corridor
     const double told = agreement(Hypothesis{}).value_or(1.0);
     if (told > kLooksAlike || beats_standing(told)) return;
+    if (doubt_turning_rate(found)) return;
     found.push_back(
         {Kind::unfit_odometry,
          told,
@@ -147,6 +149,36 @@ void TourExamination::doubt_whole(std::vector<TourFinding>& found) const {
                             "points do), and no other time, mounting or scale explains it"),
                  percent(told)),
          {take_it_from_scans()}});
+}
+
+/// Whether it often turns as fast as none of its kind does: of rates in degrees whole turns are
+/// gone, which no scan brings back.
+bool TourExamination::doubt_turning_rate(std::vector<TourFinding>& found) const {
+    constexpr double kNoRobot = 5.0;  // [rad/s]
+    constexpr std::size_t kLeast = 20;
+    constexpr std::size_t kOneIn = 50;
+    std::vector<double> rates;
+    for (std::size_t i = 1; i < path_.size(); ++i) {
+        const double seconds = path_[i].time_s - path_[i - 1].time_s;
+        const double rate = std::abs(headings_[i] - headings_[i - 1]) / seconds;
+        if (seconds > 0.0 && rate > kNoRobot) rates.push_back(rate);
+    }
+    if (rates.size() < std::max(kLeast, path_.size() / kOneIn)) return false;
+    const double share = static_cast<double>(rates.size()) / static_cast<double>(path_.size());
+    const double rate = median(std::move(rates));
+    found.push_back(
+        {Kind::odometry_units,
+         rate,
+         message(HITOS_TEXT("Errors",
+                            "by %1 % of the odometry readings the robot turns at some %2 "
+                            "degrees/s, which none of its kind does, and the scans do not lie "
+                            "where that puts them"),
+                 percent(share), std::lround(rate * kDegreesPerRadian)),
+         {{message(HITOS_TEXT("Errors", "if its turns are %1"),
+                   marked(HITOS_TEXT("Errors", "degrees"))),
+           WholeValues(read_).odometry_turns(kRadiansPerDegree)},
+          take_it_from_scans()}});
+    return true;
 }
 
 /// Whether the way between two scans is longer or shorter by the scans than by the odometry.

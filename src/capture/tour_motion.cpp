@@ -58,12 +58,15 @@ Pose nearest_arc(const std::function<double(const Pose&)>& fit, const Pose& step
 
 }  // namespace
 
+/// Between rays that lie far apart a wall's distance is not known better.
+TourExamination::Hypothesis TourExamination::near_walls() const {
+    constexpr double kPerRange = 0.01;
+    return {.near_m = 0.04, .near_per_range = std::max(kPerRange, std::abs(fan_.step_rad()) / 2.0)};
+}
+
 std::vector<TourExamination::Motion> TourExamination::motions() const {
     constexpr std::size_t kAsked = 128;
-    constexpr double kPerRange = 0.01;
-    // Between rays that lie far apart a wall's distance is not known better.
-    const Hypothesis near{.near_m = 0.04,
-                          .near_per_range = std::max(kPerRange, std::abs(fan_.step_rad()) / 2.0)};
+    const Hypothesis near = near_walls();
     std::vector<Motion> all;
     for (const Pair* pair : some_pairs(kAsked)) {
         const std::optional<Pose> told = step_of(*pair, {});
@@ -75,6 +78,65 @@ std::vector<TourExamination::Motion> TourExamination::motions() const {
                                   *told)});
     }
     return all;
+}
+
+/// How far the robot drove by the scans where the odometry hardly moved and they do not lie on each
+/// other at all; 0 where it stood, or nothing tells.
+double TourExamination::slipped_m(const Pair& pair) const {
+    constexpr double kStands = 0.05;  // [m]
+    constexpr double kTurns = 0.5;    // [rad]: then other walls are seen
+    constexpr double kNothing = 0.1;
+    constexpr double kFits = 0.3;
+    constexpr double kLeast = 0.5;  // [m]
+    constexpr double kStep = 0.1;
+    constexpr int kSteps = 60;
+    const std::optional<Pose> told = step_of(pair, {});
+    if (!told || std::hypot(told->x, told->y) > kStands || std::abs(told->theta) > kTurns)
+        return 0.0;
+    const Hypothesis near = near_walls();
+    const auto fit = [&](double way_m) {
+        const double direction = told->theta / 2.0;
+        const Pose step{way_m * std::cos(direction), way_m * std::sin(direction), told->theta};
+        return agreement(pair, step, near, {}).value_or(0.0);
+    };
+    const std::optional<double> stood = agreement(pair, *told, near, {});
+    if (!stood || *stood > kNothing) return 0.0;
+    double best = kFits;
+    double way_m = 0.0;
+    for (int i = -kSteps; i <= kSteps; ++i) {
+        const double fits = fit(i * kStep);
+        if (fits <= best) continue;
+        best = fits;
+        way_m = i * kStep;
+    }
+    return std::abs(way_m) < kLeast ? 0.0 : way_m;
+}
+
+/// Wheels that slip for a while, or a robot that is pushed: the scans move on, and the odometry
+/// turns at most.
+void TourExamination::doubt_slip(std::vector<TourFinding>& found) const {
+    constexpr double kLeastWay = 1.0;
+    double way_m = 0.0;
+    const Pair* first = nullptr;
+    const Pair* last = nullptr;
+    for (const Pair& pair : pairs_) {
+        const double slipped = slipped_m(pair);
+        if (slipped == 0.0) continue;
+        if (first == nullptr) first = &pair;
+        last = &pair;
+        way_m += std::abs(slipped);
+    }
+    if (way_m < kLeastWay) return;
+    found.push_back(
+        {Kind::still_odometry,
+         last->second.time_s - first->first.time_s,
+         message(HITOS_TEXT("Errors",
+                            "between second %1 and %2 of the tour the scans move by %3 m or more "
+                            "while the odometry at most turns, as where wheels slip or the robot "
+                            "is pushed: the map is pushed together there"),
+                 std::lround(first->first.time_s - first_scan_s_),
+                 std::lround(last->second.time_s - first_scan_s_), fmt::format("{:.1f}", way_m)),
+         {map_with_registration(), take_it_from_scans()}});
 }
 
 /// A gyro or an encoder that is dead: the robot turns, or drives, by the scans alone.

@@ -13,6 +13,7 @@ namespace hitos {
 namespace {
 
 constexpr std::uint64_t kWholeTour = std::numeric_limits<std::uint64_t>::max();
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// Collects what a summary says beyond the counts.
 class Stamps {
@@ -94,15 +95,14 @@ TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress) {
     Stamps stamps;
     TourExamination examination(reader.options());
     std::optional<double> clock_s;
-    std::uint64_t odometry_line = 0;
-    const auto read_odometry_to = [&](std::uint64_t line) {
-        while (odometry_line < line) {
-            const std::optional<Odometria> reading = reader.next_odometry();
-            if (!reading) {
-                odometry_line = kWholeTour;
-                return;
-            }
-            odometry_line = reading->line;
+    std::optional<Odometria> reading;
+    bool more = true;
+    // As far as a run reads it with a scan, so that both examine the same.
+    const auto read_odometry_to = [&](std::uint64_t line, double time_s) {
+        while (more && (!reading || (reading->line < line && reading->time_s < time_s))) {
+            reading = reader.next_odometry();
+            more = reading.has_value();
+            if (!more) return;
             stamps.add(reading->time_s, reading->lines_before > 0);
             examination.note(*reading);
             const double seconds = reading->time_s - clock_s.value_or(reading->time_s);
@@ -124,15 +124,15 @@ TourSummary inspect_tour(TourReader& reader, const InspectProgress& progress) {
             }
         }
         examination.note(*scan);
-        // Both sequences keep together, so that progress means both.
-        read_odometry_to(scan->line);
+        scan->carries_odometry ? read_odometry_to(scan->line, kNever)
+                               : read_odometry_to(kWholeTour, scan->time_s);
         if (progress && !progress(reader.progress().value_or(0.0))) {
             summary.complete = false;
             break;
         }
     }
     if (summary.complete) {
-        read_odometry_to(kWholeTour);
+        read_odometry_to(kWholeTour, kNever);
         if (progress) progress(1.0);
         summary.findings = examination.findings(reader.findings());
         if (!stamps.any()) refuse_empty(reader);

@@ -173,11 +173,15 @@ class TourExamination {
         Pose told;
         Pose seen;
     };
+    Hypothesis near_walls() const;
+    double slipped_m(const Pair& pair) const;
     std::vector<Motion> motions() const;
+    void doubt_slip(std::vector<TourFinding>& found) const;
     bool doubt_dead(std::vector<TourFinding>& found) const;
     void doubt_motion(std::vector<TourFinding>& found) const;
     bool beats_standing(double share) const;
     void doubt_whole(std::vector<TourFinding>& found) const;
+    bool doubt_turning_rate(std::vector<TourFinding>& found) const;
     void doubt_stills(std::vector<TourFinding>& found) const;
     void note_still(const Pair& pair, double odometer);
     bool prefers_stamps(const TourFinding& receipts, const std::vector<TourFinding>& own) const;
