@@ -10,6 +10,7 @@
 
 #include "hitos/base/median.hpp"
 #include "hitos/capture/tour_examination.hpp"
+#include "hypothesis_search.hpp"
 #include "laser_units.hpp"
 #include "remedies.hpp"
 
@@ -183,12 +184,25 @@ void TourExamination::doubt_speed(std::vector<TourFinding>& found) const {
     const LengthUnit* unit = way_unit();
     if (unit == nullptr) return;
     const auto speed = static_cast<double>(median(speeds_));
+    Message what = message(HITOS_TEXT("Errors",
+                                      "by the odometry the robot mostly drives at %1 m/s, which "
+                                      "none of its kind does"),
+                           fmt::format("{:.0f}", speed));
+    // What the scans fit as it is told are metres, and no other time is as long.
+    const double metres = agreement(Hypothesis{}).value_or(0.0);
+    if (metres > kLeastFit &&
+        metres > agreement({.scale = unit->metres}).value_or(0.0) + kClearly) {
+        found.push_back({Kind::coarse_stamps,
+                         speed,
+                         std::move(what),
+                         {{marked(HITOS_TEXT("Errors",
+                                             "its positions fit the scans, so that its times are "
+                                             "no seconds: record them in seconds"))}}});
+        return;
+    }
     found.push_back({Kind::odometry_units,
                      speed,
-                     message(HITOS_TEXT("Errors",
-                                        "by the odometry the robot mostly drives at %1 m/s, which "
-                                        "none of its kind does"),
-                             fmt::format("{:.0f}", speed)),
+                     std::move(what),
                      {{message(HITOS_TEXT("Errors", "if its positions are %1"), marked(unit->name)),
                        WholeValues(read_).odometry_scale(unit->metres)}}});
 }

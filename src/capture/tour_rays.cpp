@@ -144,6 +144,35 @@ bool TourExamination::doubt_slight_fan(const Fit& fit, std::vector<TourFinding>&
     return true;
 }
 
+/// Whether rays are missing at one end of the fan, whose others are taken to go over all of it:
+/// then the laser seems turned, and walls are bent too.
+bool TourExamination::doubt_cut_fan(const Fit& fit, const Hypothesis& otherwise,
+                                    std::vector<TourFinding>& found) const {
+    constexpr int kMost = 30;  // of a hundred rays
+    constexpr double kTimes = 1.04;
+    constexpr double kMore = 0.02;
+    if (fan_.count < 2) return false;
+    BestFit best{closely()};
+    for (int lost = 2; lost <= kMost; ++lost) {
+        for (const double end : {-0.5, 0.5}) {
+            Hypothesis other = closely();
+            other.fan_scale = 1.0 - lost / 100.0;
+            other.fan_middle_rad = middle_of(fan_);
+            other.turn_rad = end * (fan_.max_angle_rad - fan_.min_angle_rad) * lost / 100.0;
+            best.try_out(fit, other);
+        }
+    }
+    const double told = fit(closely());
+    const BestFit middle = best_slight_fan(fit, fan_);
+    const double rival = std::max(fit(closely(otherwise)), middle.agreement);
+    if (best.agreement < std::max({kLeastTold, kTimes * told + kMore, kTimes * rival + kMore}))
+        return false;
+    const BestFit longer = best_range_offset(fit, closely(), kOffsetStep, kOffsetSteps);
+    if (!beats_rivals(fit, best, longer)) return false;
+    tell_fan(fit, told, best, found);
+    return true;
+}
+
 BestFit best_range_offset(const Fit& fit, const Hypothesis& as, double step_m, int steps) {
     BestFit best{as};
     for (int i = -steps; i <= steps; ++i) {

@@ -163,6 +163,35 @@ TEST(LaserDoubts, AFanThatIsALittleWiderThanItIsToldIsTold) {
     }
 }
 
+TEST(LaserDoubts, RaysThatAreMissingAtOneEndAreToldAsAFanNotAsAMounting) {
+    constexpr double kKept = 5.0 / 6.0;
+    for (const char* name : {"aces", "freiburg-101", "acapulco"}) {
+        const std::string log = std::string(HITOS_SHARED_DIR) + "/data/radish/" + name + ".log.gz";
+        if (!std::filesystem::exists(log)) GTEST_SKIP() << "no recording " << log;
+        for (const bool at_end : {false, true}) {
+            Readings wrong = test::read(log);
+            for (Scan& scan : wrong.scans) {
+                // Those that are left go over the whole angle.
+                const double span = scan.fan.max_angle_rad - scan.fan.min_angle_rad;
+                const double from = scan.fan.min_angle_rad + (at_end ? 0.0 : (1 - kKept) * span);
+                std::vector<Point2> points;
+                for (const Point2& point : scan.points) {
+                    const double part = (std::atan2(point.y, point.x) - from) / (kKept * span);
+                    if (part < 0.0 || part > 1.0) continue;
+                    const double angle = scan.fan.min_angle_rad + part * span;
+                    const double range = std::hypot(point.x, point.y);
+                    points.push_back({range * std::cos(angle), range * std::sin(angle)});
+                }
+                scan.points = points;
+                scan.rays.clear();
+            }
+            const auto found = wrong.of_kind(Kind::wrong_fan);
+            ASSERT_TRUE(found) << name << '\n' << wrong.said();
+            EXPECT_NEAR(found->value, kKept * kPi, 0.12) << name;
+        }
+    }
+}
+
 TEST(LaserDoubts, ReadingsThatAreAllTooLongOrTooShortAreToldByHowMuch) {
     for (const char* world : {"bigloop2", "complex"}) {
         const Readings tour = test::read(source_named(world));

@@ -132,6 +132,18 @@ TEST_P(OfWorld, UnitsAndBrokenDriversAreTold) {
     EXPECT_TRUE(blind.of_kind(Kind::blind_laser));
 }
 
+TEST_P(OfWorld, TimesThatAreNoSecondsAreNotSaidToBeCentimetres) {
+    if (GetParam() == "corridor") GTEST_SKIP() << "it looks alike all along";
+    constexpr double kMuch = 150.0;
+    for (Scan& scan : tour_.scans) scan.time_s /= kMuch;
+    for (Odometria& reading : tour_.odometry) {
+        reading.time_s /= kMuch;
+        reading.twist = {reading.twist.v * kMuch, 0.0, reading.twist.w * kMuch};
+    }
+    EXPECT_TRUE(tour_.of_kind(Kind::coarse_stamps)) << tour_.said();
+    EXPECT_FALSE(tour_.of_kind(Kind::odometry_units)) << tour_.said();
+}
+
 TEST_P(OfWorld, OdometryThatStandsForAWhileIsTold) {
     if (GetParam() == "corridor") GTEST_SKIP() << "it looks alike all along";
     const double begin = tour_.scans.front().time_s;

@@ -147,6 +147,8 @@ class TourExamination {
     bool doubt_turns(const Fit& fit, double told, double otherwise,
                      std::vector<TourFinding>& found) const;
     bool doubt_slight_turn(const Fit& fit, std::vector<TourFinding>& found) const;
+    bool doubt_cut_fan(const Fit& fit, const Hypothesis& otherwise,
+                       std::vector<TourFinding>& found) const;
     bool doubt_slight_fan(const Fit& fit, std::vector<TourFinding>& found) const;
     void tell_fan(const Fit& fit, double told, const BestFit& mounted,
                   std::vector<TourFinding>& found) const;
