@@ -59,8 +59,10 @@ std::optional<Pose> TourExamination::step_of(const Pair& pair, const Hypothesis&
     Pose step = between(*first, *second);
     step.x *= hypothesis.scale;
     step.y *= hypothesis.scale;
-    if (hypothesis.pair_turn_scale == 1.0) return step;
-    return with_turn(step, hypothesis.pair_turn_scale * step.theta);
+    const double drift = hypothesis.drift_rad_s * (pair.second.time_s - pair.first.time_s) +
+                         hypothesis.drift_rad_m * std::hypot(step.x, step.y);
+    if (hypothesis.pair_turn_scale == 1.0 && drift == 0.0) return step;
+    return with_turn(step, hypothesis.pair_turn_scale * step.theta + drift);
 }
 
 std::optional<double> TourExamination::agreement(const Pair& pair,

@@ -97,7 +97,10 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
         if (!doubt_dead(found)) tell_range_offset(fit, longer, found);
         return;
     }
-    if (doubt_cut_fan(fit, mounted.hypothesis, found)) return;
+    if (doubt_cut_fan(fit, mounted.hypothesis, found) ||
+        doubt_drift({mounted.hypothesis, late.hypothesis}, found)) {
+        return;
+    }
     if (mounted.agreement > late.agreement) doubt_mounting(fit, told, mounted, found);
     if (found.size() > before) return;
     if (late.agreement >= kLeastFit && beats_standing(late.agreement) &&

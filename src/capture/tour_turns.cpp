@@ -89,6 +89,59 @@ TourExamination::Turning TourExamination::turning_pairs() const {
     return turning;
 }
 
+/// Whether the heading turns away all the time: of a gyro that was not set to zero, or wheels that
+/// are not of one size. `otherwise`: what else may explain it.
+bool TourExamination::doubt_drift(std::initializer_list<Hypothesis> otherwise,
+                                  std::vector<TourFinding>& found) const {
+    constexpr double kTimes = 1.25;  // better than as it is told: of sound robots up to a fifth
+    constexpr double kMore = 0.02;
+    constexpr double kLeast = 0.15;
+    constexpr int kSteps = 16;
+    constexpr double kPerSecond = 0.3 * kRadiansPerDegree;
+    constexpr double kPerMetre = 1.0 * kRadiansPerDegree;
+    constexpr double kSlight = 2.0;  // steps
+    const Fit fit(*this, some_pairs(pairs_.size()));
+    BestFit by_time{closely()};
+    BestFit by_way{closely()};
+    for (int i = -kSteps; i <= kSteps; ++i) {
+        Hypothesis other = closely();
+        other.drift_rad_s = i * kPerSecond;
+        by_time.try_out(fit, other);
+        other = closely();
+        other.drift_rad_m = i * kPerMetre;
+        by_way.try_out(fit, other);
+    }
+    const bool timed = by_time.agreement > by_way.agreement;
+    const BestFit& best = timed ? by_time : by_way;
+    const double rate = timed ? best.hypothesis.drift_rad_s : best.hypothesis.drift_rad_m;
+    const double told = fit(closely());
+    double rival = std::max(told, best_turn_scale(fit).agreement);
+    for (const Hypothesis& other : otherwise) rival = std::max(rival, fit(closely(other)));
+    if (std::abs(rate) < (kSlight - 0.5) * (timed ? kPerSecond : kPerMetre) ||
+        best.agreement < std::max(kLeast, kTimes * rival + kMore)) {
+        return false;
+    }
+    const std::string degrees = fmt::format("{:.1f}", std::abs(rate) * kDegreesPerRadian);
+    const Message side =
+        rate < 0.0 ? marked(HITOS_TEXT("Errors", "left")) : marked(HITOS_TEXT("Errors", "right"));
+    found.push_back(
+        {Kind::unfit_odometry,
+         told,
+         timed ? message(HITOS_TEXT("Errors",
+                                    "by the scans the odometry's heading drifts to the %2 by %1 "
+                                    "degrees a second (%3 % of their points fit so, %4 % as it is "
+                                    "told), as of a gyro whose zero is off: the path is bent"),
+                         degrees, side, percent(best.agreement), percent(told))
+               : message(HITOS_TEXT("Errors",
+                                    "by the scans the odometry's heading drifts to the %2 by %1 "
+                                    "degrees a metre (%3 % of their points fit so, %4 % as it is "
+                                    "told), as of wheels that are not of one size: the path is "
+                                    "bent"),
+                         degrees, side, percent(best.agreement), percent(told)),
+         {map_with_registration(), take_it_from_scans()}});
+    return true;
+}
+
 /// Of what fits turns clearly better than what the tour says, the best.
 void TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
     constexpr std::size_t kLeastPairs = 10;

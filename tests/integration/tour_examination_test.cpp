@@ -440,6 +440,27 @@ TEST(TourExamination, WheelsThatSlipWhileTheRobotKnowsItsTurnsAreTold) {
     }
 }
 
+TEST(TourExamination, AHeadingThatDriftsIsToldWithItsSide) {
+    for (const char* name : {"aces", "freiburg-101", "intel", "acapulco"}) {
+        const fs::path log = kShared / "data" / "radish" / (std::string(name) + ".log.gz");
+        if (!fs::exists(log)) GTEST_SKIP() << "no recording in " << log;
+        const Readings tour = read(log.string());
+        Readings gyro = tour;
+        for (Odometria& reading : gyro.odometry) reading.twist.w += 2.0 * kRadiansPerDegree;
+        const auto found = gyro.of_kind(Kind::unfit_odometry);
+        ASSERT_TRUE(found) << name << gyro.said();
+        EXPECT_NE(found->what.english().find("drifts to the left"), std::string::npos);
+        EXPECT_NE(found->what.english().find("degrees a second"), std::string::npos);
+        Readings wheels = tour;
+        for (Odometria& reading : wheels.odometry)
+            reading.twist.w -= 15.0 * kRadiansPerDegree * reading.twist.v;
+        const auto bent = wheels.of_kind(Kind::unfit_odometry);
+        ASSERT_TRUE(bent) << name << wheels.said();
+        EXPECT_NE(bent->what.english().find("drifts to the right"), std::string::npos);
+        EXPECT_NE(bent->what.english().find("degrees a metre"), std::string::npos);
+    }
+}
+
 TEST(TourExamination, RatesInDegreesAreToldWhereWholeTurnsAreLost) {
     for (const char* name : {"aces", "freiburg-101"}) {
         const fs::path log = kShared / "data" / "radish" / (std::string(name) + ".log.gz");

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -56,6 +57,8 @@ class TourExamination {
         double scale = 1.0;            ///< of the way
         double turn_scale = 1.0;       ///< of the heading, from where the tour begins
         double pair_turn_scale = 1.0;  ///< of the turn from one scan of a pair to the other
+        double drift_rad_s = 0.0;      ///< turned besides, each second
+        double drift_rad_m = 0.0;      ///< and each metre of way
         Point2 shift = {};             ///< of the laser on the robot [m]
         double near_m = 0.1;           ///< how far apart two points may be that are one
         double near_per_range = 0.02;  ///< and for each metre of their range
@@ -183,6 +186,8 @@ class TourExamination {
     void doubt_motion(std::vector<TourFinding>& found) const;
     bool beats_standing(double share) const;
     void doubt_whole(std::vector<TourFinding>& found) const;
+    bool doubt_drift(std::initializer_list<Hypothesis> otherwise,
+                     std::vector<TourFinding>& found) const;
     bool doubt_turning_rate(std::vector<TourFinding>& found) const;
     void doubt_stills(std::vector<TourFinding>& found) const;
     void note_still(const Pair& pair, double odometer);
