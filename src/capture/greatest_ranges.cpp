@@ -8,6 +8,8 @@ namespace hitos {
 namespace {
 
 constexpr std::size_t kDistinctRays = 5;
+constexpr std::size_t kRepetitions = 10;
+constexpr std::size_t kTimesMoreThanAnother = 3;
 
 }  // namespace
 
@@ -15,7 +17,21 @@ void GreatestRanges::note(double range_m, std::size_t ray) {
     constexpr double kPerMetre = 1000.0;
     constexpr long kJustBelow = 500;
     constexpr double kFarthest = 1e9;
+    constexpr std::size_t kMostRays = 10'000;
+    constexpr double kAlike = 1e-3;
+    constexpr double kBelow = 0.5;
     if (!std::isfinite(range_m)) return;
+    if (ray < kMostRays) {
+        if (ray >= by_ray_.size()) by_ray_.resize(ray + 1);
+        OfRay& own = by_ray_[ray];
+        if (range_m > own.greatest_m + kAlike) {
+            own = {range_m, 1, range_m < own.greatest_m + kBelow ? own.times + own.below : 0};
+        } else if (range_m > own.greatest_m - kAlike) {
+            ++own.times;
+        } else if (range_m > own.greatest_m - kBelow) {
+            ++own.below;
+        }
+    }
     const long place = std::lround(std::min(range_m, kFarthest) * kPerMetre);
     if (!by_millimetre_.empty()) {
         const long greatest = by_millimetre_.rbegin()->first;
@@ -31,9 +47,21 @@ void GreatestRanges::note(double range_m, std::size_t ray) {
     if (counted.rays.size() < kDistinctRays) counted.rays.insert(ray);
 }
 
+std::optional<GreatestRanges::Code> GreatestRanges::codes_of_rays() const {
+    constexpr std::size_t kOneIn = 4;
+    Code code;
+    std::size_t rays = 0;
+    for (const OfRay& own : by_ray_) {
+        if (own.times < kRepetitions || own.times < kTimesMoreThanAnother * own.below) continue;
+        code.least_m = rays++ == 0 ? own.greatest_m : std::min(code.least_m, own.greatest_m);
+        code.range_m = std::max(code.range_m, own.greatest_m);
+        code.times += own.times;
+    }
+    if (rays < kDistinctRays || rays * kOneIn < by_ray_.size()) return std::nullopt;
+    return code;
+}
+
 std::optional<GreatestRanges::Code> GreatestRanges::code() const {
-    constexpr std::size_t kRepetitions = 10;
-    constexpr std::size_t kTimesMoreThanAnother = 3;
     constexpr long kOne = 3;  // millimetres: points of a log are rounded in x and y
     if (by_millimetre_.empty()) return std::nullopt;
     const long last = by_millimetre_.rbegin()->first;

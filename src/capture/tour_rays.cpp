@@ -256,18 +256,28 @@ void TourExamination::doubt_lost_rays(std::vector<TourFinding>& found) const {
 std::optional<TourFinding> TourExamination::taken_for_walls() const {
     constexpr double kLeastShare = 0.002;
     constexpr double kParts = 100.0;  // of a metre
-    const std::optional<GreatestRanges::Code> code = greatest_.code();
+    std::optional<GreatestRanges::Code> code = greatest_.code();
+    const bool of_rays = !code && (code = greatest_.codes_of_rays()).has_value();
     if (!code) return std::nullopt;
     const double share = static_cast<double>(code->times) / static_cast<double>(sampled_);
     if (share < kLeastShare) return std::nullopt;
     return TourFinding{
         Kind::no_return,
         code->range_m,
-        message(HITOS_TEXT("Errors",
-                           "%1 % of the readings are %2 m, the greatest of all and three times as "
-                           "many as of any distance near it, as where a driver says that nothing "
-                           "was seen: they are taken for walls, which go with the robot"),
-                fmt::format("{:.1f}", 100.0 * share), fmt::format("{:.4g}", code->range_m)),
+        of_rays
+            ? message(HITOS_TEXT("Errors",
+                                 "%1 % of the readings are the greatest of their ray, %2 to %3 "
+                                 "m, which it has over and over, as where a driver says that "
+                                 "nothing was seen: they are taken for walls, which go with "
+                                 "the robot"),
+                      fmt::format("{:.1f}", 100.0 * share), fmt::format("{:.4g}", code->least_m),
+                      fmt::format("{:.4g}", code->range_m))
+            : message(HITOS_TEXT(
+                          "Errors",
+                          "%1 % of the readings are %2 m, the greatest of all and three times as "
+                          "many as of any distance near it, as where a driver says that nothing "
+                          "was seen: they are taken for walls, which go with the robot"),
+                      fmt::format("{:.1f}", 100.0 * share), fmt::format("{:.4g}", code->range_m)),
         {{marked(HITOS_TEXT("Errors", "leave them out")),
           set("source.max_range",
               fmt::format("{:.6g}", (std::ceil(code->least_m * kParts) - 1.0) / kParts))}}};

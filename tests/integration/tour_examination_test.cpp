@@ -227,6 +227,17 @@ TEST_P(OfWorld, RaysThatSawNothingAreToldWhereTheyAreTakenForWallsAndHideNoClock
         << other.said() << late.said();
     // Of what rounding has made of it nothing stays.
     EXPECT_EQ(options_of(found->remedies.at(0).settings), "--set source.max_range=29.99");
+    // And where each ray has a code of its own.
+    Readings own = tour_;
+    for (std::size_t i = 0; i < own.scans.size(); ++i) {
+        Scan& scan = own.scans[i];
+        for (std::uint32_t ray = i % 2; ray < scan.fan.count; ray += 2)
+            add_reading(scan, ray, kCode + 0.002 * ray);
+    }
+    const auto codes = own.of_kind(Kind::no_return);
+    ASSERT_TRUE(codes) << own.said();
+    EXPECT_NE(codes->what.english().find("the greatest of their ray"), std::string::npos);
+    EXPECT_EQ(options_of(codes->remedies.at(0).settings), "--set source.max_range=29.99");
 }
 
 TEST_P(OfWorld, APartOfTheRobotThatTheLaserSeesIsTold) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <vector>
 
 namespace hitos {
 
@@ -26,7 +27,18 @@ class GreatestRanges {
     /// two, and a far wall repeats others just below.
     std::optional<Code> code() const;
 
+    /// The same of lasers each of whose rays has a code of its own, as after a calibration: where a
+    /// quarter of the rays repeat their greatest reading, to a millimetre, and hardly anything just
+    /// below it. The greatest and least of these codes, and how often they came.
+    std::optional<Code> codes_of_rays() const;
+
   private:
+    struct OfRay {
+        double greatest_m = 0.0;
+        std::size_t times = 0;
+        std::size_t below = 0;  ///< within half a metre
+    };
+    std::vector<OfRay> by_ray_;
     struct Counted {
         double range_m = 0.0;  ///< greatest
         double least_m = 0.0;
