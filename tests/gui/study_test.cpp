@@ -411,6 +411,36 @@ void StudyTest::its_words_are_remembered() {
     QCOMPARE(last.findChild<QLineEdit*>("values_2")->text(), QString("3,4"));
 }
 
+void StudyTest::a_reference_belongs_to_its_log() {
+    StudyFixture f;
+    const QString map = Fixture::source_file("data/maps/bigloop.map");
+    f.set("reference", QDir::current().relativeFilePath(map));
+    f.set("values", "0.02");
+    f.run_study();
+    const auto offered = [](const StudyDialog& study) {
+        return study.findChild<QLineEdit*>("reference")->text();
+    };
+    const auto of_another_session = [&] {
+        const StudyDialog next(f.session, f.files, f.prompts, nullptr);
+        return offered(next);
+    };
+    QCOMPARE(of_another_session(), map);
+    const Configuracion log = f.session.configuration();
+    Configuracion other = log;
+    other.source.file = Fixture::source_file("data/worlds/recinto.toml").toStdString();
+    f.session.set_configuration(other);
+    QCOMPARE(offered(f.study), QString());
+    QCOMPARE(of_another_session(), QString());
+    f.session.set_configuration(log);
+    QCOMPARE(offered(f.study), map);
+    // One that is written stays while the log is the same.
+    f.set("reference", "another.map");
+    Configuracion seed = log;
+    seed.run.seed = 7;
+    f.session.set_configuration(seed);
+    QCOMPARE(offered(f.study), QString("another.map"));
+}
+
 void StudyTest::a_run_of_it_is_opened() {
     StudyFixture f;
     QVERIFY(!f.enabled("open_run"));

@@ -421,6 +421,7 @@ class StudyTest : public QObject {
     void its_plot_is_saved();
     void a_run_of_it_is_opened();
     void its_words_are_remembered();
+    void a_reference_belongs_to_its_log();
 };
 
 class ContactTest : public QObject {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // References to measure a run against: a map and a trajectory, from files.
 
+#include <QFileInfo>
+
 #include "configuration_actions.hpp"
 #include "hitos/services/evaluation/reference_fit.hpp"
 #include "look/words_of.hpp"
@@ -15,7 +17,7 @@ std::optional<Advice> ConfigurationActions::take_references(const ReferenceFiles
     QString map_file = session_.reference_map_file();
     if (!files.map.empty()) {
         references.map = read_map(files.map);
-        map_file = QString::fromStdString(files.map);
+        map_file = QFileInfo(QString::fromStdString(files.map)).absoluteFilePath();
     }
     if (!files.trajectory.empty()) {
         references.trajectory = read_trajectory(files.trajectory);

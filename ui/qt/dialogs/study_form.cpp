@@ -48,6 +48,11 @@ void try_value(Configuracion configuration, const StudyParameter& parameter,
     if (reason) std::rethrow_exception(reason);
 }
 
+/// As another session finds it, wherever that is started.
+QString whole(const QString& path) {
+    return path.isEmpty() ? path : QFileInfo(path).absoluteFilePath();
+}
+
 }  // namespace
 
 StudyForm::StudyForm(Ui::StudyDialog& ui, Session& session, UserFiles& files, Prompts& prompts,
@@ -112,9 +117,6 @@ void StudyForm::restore() {
     ui_.noise_kind->setCurrentIndex(settings.value("study/noise_kind", 0).toInt());
     ui_.noise_kind->setEnabled(ui_.noise->value() > 0.0);
     ui_.threads->setValue(settings.value("study/threads", 0).toInt());
-    const QString loaded = session_.reference_map_file();
-    ui_.reference->setText(QDir::toNativeSeparators(
-        loaded.isEmpty() ? settings.value("study/reference").toString() : loaded));
     ui_.pictures->setChecked(settings.value("study/pictures", false).toBool());
     const QString folder = files_.place_to_save("hitos-study");
     set_folder(settings.value("study/folder", folder).toString());
@@ -130,9 +132,10 @@ void StudyForm::remember() {
     settings.setValue("study/noise", ui_.noise->value());
     settings.setValue("study/noise_kind", ui_.noise_kind->currentIndex());
     settings.setValue("study/threads", ui_.threads->value());
-    settings.setValue("study/reference", ui_.reference->text());
+    settings.setValue("study/reference", whole(ui_.reference->text().trimmed()));
+    settings.setValue("study/reference_of", whole(source_file()));
     settings.setValue("study/pictures", ui_.pictures->isChecked());
-    settings.setValue("study/folder", ui_.folder->text());
+    settings.setValue("study/folder", whole(ui_.folder->text().trimmed()));
 }
 
 void StudyForm::set_assignments(const std::vector<std::string>& assignments) {
@@ -148,8 +151,27 @@ void StudyForm::set_folder(const QString& folder) {
     ui_.folder->setText(QDir::toNativeSeparators(folder));
 }
 
+QString StudyForm::source_file() const {
+    return QString::fromStdString(session_.configuration().source.file);
+}
+
+/// A reference belongs to its log: none of another one is offered.
+void StudyForm::offer_reference() {
+    Configuracion former;
+    former.source.file = offered_for_.toStdString();
+    if (same_log(former, session_.configuration())) return;
+    offered_for_ = whole(source_file());
+    QString file = session_.reference_map_file();
+    QSettings& settings = files_.settings();
+    former.source.file = settings.value("study/reference_of").toString().toStdString();
+    if (file.isEmpty() && same_log(former, session_.configuration()))
+        file = settings.value("study/reference").toString();
+    ui_.reference->setText(QDir::toNativeSeparators(file));
+}
+
 void StudyForm::show_source() {
-    const QString file = QString::fromStdString(session_.configuration().source.file);
+    offer_reference();
+    const QString file = source_file();
     ui_.source_title->setText(ui_.source_title->fontMetrics().elidedText(
         QFileInfo(file).fileName(), Qt::ElideMiddle, ui_.form_scroll->minimumWidth() - 60));
     ui_.source_title->setToolTip(QDir::toNativeSeparators(file));

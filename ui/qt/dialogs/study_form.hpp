@@ -52,6 +52,8 @@ class StudyForm final : public QObject {
   private:
     void fill();
     void restore();
+    QString source_file() const;
+    void offer_reference();
     void show_source();
     void count_runs();
     void browse_reference();
@@ -72,6 +74,7 @@ class StudyForm final : public QObject {
     QWidget* dialog_;
     std::array<StudyRow*, 2> rows_;
     QWidget* first_wrong_ = nullptr;
+    QString offered_for_;  ///< the source that the reference in the form is of
 };
 
 }  // namespace hitos::window
