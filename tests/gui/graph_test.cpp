@@ -205,6 +205,49 @@ void GraphTest::changes_are_solved_at_once_undone_and_taken_back() {
     QCOMPARE(line.property("state").toString(), "good");
 }
 
+void GraphTest::keys_undo_changes_unless_somebody_writes() {
+    Graphs f;
+    f.open(f.town_file());
+    const auto press = [](const QKeySequence& keys) {
+        QTest::keySequence(QApplication::focusWidget(), keys);
+    };
+    const auto undo = [&] { press(QKeySequence::Undo); };
+    const auto changes = [&] { return f.graph()->edits().size(); };
+    auto& a = f.part<QLineEdit>("graph_a");
+    f.name_poses("150", "20");
+    // What goes out of use does not hand the keys to a field, or to another change.
+    f.button("graph_refuse").setFocus();
+    press(Qt::Key_Space);
+    QTRY_VERIFY(f.rests() && changes() == 1);
+    QVERIFY(!f.button("graph_refuse").isEnabled());
+    QCOMPARE(QApplication::focusWidget(), &f.graph()->table());
+    for (QWidget* with_keys :
+         {static_cast<QWidget*>(&f.graph()->table()), static_cast<QWidget*>(&a),
+          static_cast<QWidget*>(&f.part<QSpinBox>("graph_worst"))}) {
+        with_keys->setFocus();
+        undo();
+        QTRY_VERIFY(f.rests() && changes() == 0);
+        undo();  // there is nothing to undo, and no text either
+        press(QKeySequence::Redo);
+        QTRY_VERIFY(f.rests() && changes() == 1);
+        QCOMPARE(a.text(), QString("150"));
+    }
+    // Who writes undoes what is written.
+    a.setFocus();
+    QTest::keyClicks(&a, "7");
+    const QString written = a.text();
+    QVERIFY(written != "150");
+    undo();
+    QTRY_VERIFY(f.rests());
+    QVERIFY(a.text() != written);
+    QCOMPARE(changes(), 1U);
+    // By keys again and again: at the end no other button has taken the place.
+    f.button("graph_undo").setFocus();
+    press(Qt::Key_Space);
+    QTRY_VERIFY(f.rests() && changes() == 0);
+    QCOMPARE(QApplication::focusWidget(), &f.graph()->table());
+}
+
 void GraphTest::of_two_changes_of_the_same_poses_the_later_stands() {
     Graphs f;
     f.open(f.town_file());

@@ -302,6 +302,43 @@ void InspectTest::a_step_that_slipped_is_listed_and_taken_back() {
     QVERIFY(!list->isVisible());
 }
 
+void InspectTest::keys_take_changes_back_from_the_panel_of_loops() {
+    Loops f;
+    f.run_steps(120);
+    f.trigger("action_loops_dock");
+    QTRY_VERIFY(f.shows_everything() && f.button("edit_slip").isEnabled());
+    f.window->activateWindow();
+    QTRY_VERIFY(f.window->isActiveWindow());
+    auto* at = f.dock().findChild<QLineEdit*>("edit_fix_at");
+    const auto undone_from = [&](QWidget* with_keys) {
+        with_keys->setFocus();
+        QTest::keySequence(QApplication::focusWidget(), QKeySequence::Undo);
+        QTRY_VERIFY(f.edits().empty() && f.shows_everything());
+    };
+    for (const char* change : {"edit_slip", "edit_fix"}) {
+        // Neither the next button nor a field has the keys then.
+        f.button(change).setFocus();
+        QTest::keyClick(&f.button(change), Qt::Key_Space);
+        QTRY_VERIFY(!f.edits().empty() && f.shows_everything());
+        QVERIFY(!f.button(change).isEnabled());
+        QCOMPARE(QApplication::focusWidget(), &f.dock().table());
+        undone_from(&f.dock().table());
+        f.press(change);
+        QTRY_VERIFY(!f.edits().empty() && f.shows_everything());
+        undone_from(at);
+    }
+    // Who writes undoes what is written.
+    f.press("edit_slip");
+    QTRY_VERIFY(!f.edits().empty() && f.shows_everything());
+    const QString place = at->text();
+    at->setFocus();
+    QTest::keyClicks(at, "1");
+    QTest::keySequence(at, QKeySequence::Undo);
+    QCOMPARE(at->text(), place);
+    QVERIFY(!f.edits().empty());
+    undone_from(&f.number("loop_scan"));
+}
+
 void InspectTest::what_is_wrong_with_changes_stands_below_them() {
     Loops f;
     f.run_with_dock();

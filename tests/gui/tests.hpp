@@ -347,6 +347,7 @@ class InspectTest : public QObject {
     void a_loop_is_laid_by_hand_and_fitted();
     void a_loop_that_nobody_found_is_proposed();
     void a_step_that_slipped_is_listed_and_taken_back();
+    void keys_take_changes_back_from_the_panel_of_loops();
     void what_is_wrong_with_changes_stands_below_them();
     void a_narrow_panel_of_loops_says_all();
     void a_scan_is_fixed_where_somebody_says();
@@ -364,6 +365,7 @@ class GraphTest : public QObject {
   private slots:
     void a_graph_is_shown_with_its_worst_edges();
     void changes_are_solved_at_once_undone_and_taken_back();
+    void keys_undo_changes_unless_somebody_writes();
     void of_two_changes_of_the_same_poses_the_later_stands();
     void a_graph_that_fits_has_nothing_marked();
     void ids_of_many_digits_leave_room_for_errors();

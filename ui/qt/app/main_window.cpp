@@ -25,6 +25,7 @@
 #include "look/icons.hpp"
 #include "look/parameter_text.hpp"
 #include "look/screen_fit.hpp"
+#include "look/undo_keys.hpp"
 #include "runs/run_keeper.hpp"
 #include "runs/runs.hpp"
 #include "status_line.hpp"
@@ -115,6 +116,7 @@ void MainWindow::make_parts() {
     layouts_ = new Layouts(
         *this, *ui_->menu_layouts, {ui_->action_presenting, ui_->action_alone, ui_->action_summary},
         files_.settings(), prompts_, {[this] { save_layout(); }, [this] { restore_layout(); }});
+    new UndoKeys(this);
     fit_to_screen(*this);
     name_what_runs();
 }

@@ -16,6 +16,7 @@
 #include "hitos/services/evaluation/measures.hpp"
 #include "look/flow_layout.hpp"
 #include "look/parameter_text.hpp"
+#include "look/undo_keys.hpp"
 #include "written_pose.hpp"
 
 namespace hitos::window {
@@ -61,7 +62,8 @@ std::vector<GraphEdit> edits_of(const Session& session) {
 
 }  // namespace
 
-EditList::EditList(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
+EditList::EditList(Session& session, QWidget& table, QWidget* parent)
+    : QWidget(parent), session_(session), table_(table) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     list_ = new QListWidget(this);
@@ -118,7 +120,7 @@ EditList::EditList(Session& session, QWidget* parent) : QWidget(parent), session
     connect(take_back_, &QPushButton::clicked, this, &EditList::take_back);
     connect(slip_, &QPushButton::clicked, this, &EditList::note_slip);
     connect(list_, &QListWidget::currentRowChanged, this,
-            [this](int chosen) { take_back_->setEnabled(chosen >= 0); });
+            [this](int chosen) { set_enabled(*take_back_, chosen >= 0, table_); });
 }
 
 void EditList::refresh() {
@@ -135,9 +137,10 @@ void EditList::refresh() {
         list_->clear();
         list_->addItems(words);
     }
+    if (edits.empty() && list_->hasFocus()) table_.setFocus();
     list_->setVisible(!edits.empty());
+    set_enabled(*take_back_, list_->currentRow() >= 0, table_);
     take_back_->setVisible(!edits.empty());
-    take_back_->setEnabled(list_->currentRow() >= 0);
     const auto snapshot = session_.snapshot();
     // What somebody has written belongs to the scan that it was written for.
     if (snapshot && snapshot->steps > 0 &&
@@ -161,10 +164,10 @@ void EditList::show_steps() {
         });
     };
     slip_->setText(tr("The step to %1 slipped").arg(steps));
-    slip_->setEnabled(steps > 1 && !said(GraphEdit::Kind::slip));
+    set_enabled(*slip_, steps > 1 && !said(GraphEdit::Kind::slip), table_);
     fix_->setText(tr("Fix scan %1 at").arg(steps));
-    fix_->setEnabled(steps > 1 && !said(GraphEdit::Kind::fix) && pose_of(*at_));
-    at_->setEnabled(steps > 1);
+    set_enabled(*fix_, steps > 1 && !said(GraphEdit::Kind::fix) && pose_of(*at_), table_);
+    set_enabled(*at_, steps > 1, table_);
     anchor_->setEnabled(steps > 0);
 }
 

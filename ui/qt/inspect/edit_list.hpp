@@ -25,7 +25,8 @@ class EditList final : public QWidget {
     Q_OBJECT
 
   public:
-    EditList(Session& session, QWidget* parent);
+    /// `table` gets the focus where what has it goes out of use.
+    EditList(Session& session, QWidget& table, QWidget* parent);
 
     /// As the session has them.
     void refresh();
@@ -50,6 +51,7 @@ class EditList final : public QWidget {
     void show_warnings();
 
     Session& session_;
+    QWidget& table_;
     QListWidget* list_;
     QLabel* warnings_;
     QPushButton* take_back_;

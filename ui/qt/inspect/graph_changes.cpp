@@ -10,6 +10,8 @@
 #include <map>
 #include <utility>
 
+#include "look/undo_keys.hpp"
+
 namespace hitos::window {
 namespace {
 
@@ -107,7 +109,7 @@ GraphChanges::GraphChanges(QWidget* parent) : QWidget(parent) {
     column->addWidget(take_back_);
     connect(take_back_, &QPushButton::clicked, this, &GraphChanges::take_back);
     connect(list_, &QListWidget::currentRowChanged, take_back_,
-            [this](int row) { take_back_->setEnabled(row >= 0); });
+            [this](int row) { set_enabled(*take_back_, row >= 0, *list_); });
 }
 
 void GraphChanges::replace(std::vector<GraphEdit> edits) {
@@ -176,7 +178,7 @@ void GraphChanges::list() {
         }
         list_->setCurrentRow(row < words.size() ? row : -1);
     }
-    take_back_->setEnabled(list_->currentRow() >= 0);
+    set_enabled(*take_back_, list_->currentRow() >= 0, *list_);
 }
 
 void GraphChanges::take_back() {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "look/theme.hpp"
+#include "look/undo_keys.hpp"
 #include "workers/graph_solver.hpp"
 #include "written_pose.hpp"
 
@@ -26,7 +27,7 @@ bool joined(const PlanarGraph& graph, std::uint32_t a, std::uint32_t b) {
     });
 }
 
-GraphHand::GraphHand(QWidget* parent) : QWidget(parent) {
+GraphHand::GraphHand(QWidget& list, QWidget* parent) : QWidget(parent), list_(list) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     const auto add_row = [&](std::initializer_list<QWidget*> widgets) {
@@ -189,15 +190,12 @@ void GraphHand::show_state() {
     const auto at_a = a();
     const auto at_b = b();
     const bool both = at_a && at_b && *at_a != *at_b;
-    // No other button takes the place of one that is gone.
-    if (refuse_->hasFocus() && !(both && joined(graph_->solved.graph, *at_a, *at_b)))
-        a_->setFocus();
-    refuse_->setEnabled(both && joined(graph_->solved.graph, *at_a, *at_b));
-    slip_->setEnabled(at_a.has_value());
+    set_enabled(*refuse_, both && joined(graph_->solved.graph, *at_a, *at_b), list_);
+    set_enabled(*slip_, at_a.has_value(), list_);
     close_at_->setEnabled(both);
-    close_->setEnabled(both && pose_of(*close_at_));
+    set_enabled(*close_, both && pose_of(*close_at_), list_);
     fix_at_->setEnabled(at_a.has_value());
-    fix_->setEnabled(at_a && pose_of(*fix_at_));
+    set_enabled(*fix_, at_a && pose_of(*fix_at_), list_);
 }
 
 }  // namespace hitos::window

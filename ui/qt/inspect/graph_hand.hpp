@@ -21,7 +21,8 @@ class GraphHand final : public QWidget {
     Q_OBJECT
 
   public:
-    explicit GraphHand(QWidget* parent);
+    /// `list` gets the focus where a button goes out of use.
+    GraphHand(QWidget& list, QWidget* parent);
 
     void set_graph(std::shared_ptr<const ShownGraph> graph);
     /// By their ids.
@@ -56,6 +57,7 @@ class GraphHand final : public QWidget {
     void refresh();
     void show_state();
 
+    QWidget& list_;
     std::shared_ptr<const ShownGraph> graph_;
     QLineEdit* a_;
     QLineEdit* b_;

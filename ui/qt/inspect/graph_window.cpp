@@ -26,6 +26,7 @@
 #include "look/flow_layout.hpp"
 #include "look/screen_fit.hpp"
 #include "look/steady_label.hpp"
+#include "look/undo_keys.hpp"
 #include "look/words_of.hpp"
 
 namespace hitos::window {
@@ -75,6 +76,7 @@ GraphWindow::GraphWindow(const QString& path, UserFiles& files, Prompts& prompts
     connect(solver_, &GraphSolver::not_solved, this, &GraphWindow::tell_not_solved);
     connect(solver_, &GraphSolver::written, this, &GraphWindow::end_writing);
     connect(solver_, &GraphSolver::busy_changed, this, &GraphWindow::show_state);
+    new UndoKeys(this);
     resize(kGraphSize);
     fit_to_screen(*this);
     show_chosen();
@@ -143,7 +145,7 @@ QWidget* GraphWindow::made_column() {
     connect(table_, &FiguresTable::row_chosen, this,
             [this](int row) { choose_edge(model_->rows()[static_cast<std::size_t>(row)].edge); });
     column->addWidget(table_, 1);
-    hand_ = new GraphHand(side);
+    hand_ = new GraphHand(*table_, side);
     connect(hand_, &GraphHand::edit_wanted, this, &GraphWindow::add);
     connect(hand_, &GraphHand::poses_written, this, [this] {
         edge_.reset();
@@ -345,8 +347,8 @@ void GraphWindow::show_chosen() {
 
 void GraphWindow::show_state() {
     const auto graph = shown();
-    undo_->setEnabled(changes_->can_undo());
-    redo_->setEnabled(changes_->can_redo());
+    set_enabled(*undo_, changes_->can_undo(), *table_);
+    set_enabled(*redo_, changes_->can_redo(), *table_);
     before_->setEnabled(graph != nullptr);
     open_edits_->setEnabled(graph != nullptr);
     save_->setEnabled(graph && graph->stage == ShownGraph::Stage::solved && !busy());

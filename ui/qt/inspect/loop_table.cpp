@@ -21,6 +21,7 @@
 #include "look/flow_layout.hpp"
 #include "look/parameter_text.hpp"
 #include "look/screen_fit.hpp"
+#include "look/undo_keys.hpp"
 #include "look/words_of.hpp"
 #include "loop_model.hpp"
 #include "loop_view.hpp"
@@ -112,7 +113,7 @@ LoopTable::LoopTable(Session& session, QWidget* parent)
     reason_->setObjectName("loop_reason");
     reason_->setWordWrap(true);
     inside->addWidget(reason_);
-    edits_ = new EditList(session, there_);
+    edits_ = new EditList(session, *table_, there_);
     inside->addWidget(edits_);
     connect(edits_, &EditList::edits_wanted, this, &LoopTable::edits_wanted);
     connect(edits_, &EditList::drawing_wanted, this, &LoopTable::drawing_wanted);
@@ -431,8 +432,9 @@ void LoopTable::show_chosen() {
         show(scan_, chosen_->record.scan);
         show(earlier_, chosen_->record.earlier);
     }
-    for (QPushButton* button : {fit_, change_}) button->setEnabled(shown);
-    for (QPushButton* button : {to_scan_, to_earlier_}) button->setEnabled(chosen_.has_value());
+    for (QPushButton* button : {fit_, change_}) set_enabled(*button, shown, *table_);
+    for (QPushButton* button : {to_scan_, to_earlier_})
+        set_enabled(*button, chosen_.has_value(), *table_);
     view_->set_loop(snapshot, shown ? chosen_ : std::nullopt);
     show_change();
     show_reason();

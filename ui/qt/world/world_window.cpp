@@ -19,6 +19,7 @@
 #include "hitos/workbench/presets.hpp"
 #include "look/screen_fit.hpp"
 #include "look/steady_label.hpp"
+#include "look/undo_keys.hpp"
 #include "look/words_of.hpp"
 #include "session/session.hpp"
 #include "world_form.hpp"
@@ -141,6 +142,7 @@ QWidget* WorldWindow::make_tools() {
 void WorldWindow::make_actions() {
     undo_->setObjectName("world_undo");
     undo_->setShortcut(QKeySequence::Undo);
+    new UndoKeys(this);
     redo_->setObjectName("world_redo");
     redo_->setShortcuts(
         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
