@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QToolButton>
@@ -56,6 +57,58 @@ void DriveTest::a_click_is_where_it_drives() {
     QVERIFY(std::hypot(f.drive().goal()->x - middle.x(), f.drive().goal()->y - middle.y()) < 0.1);
     f.drive().hold(1.0, 0.0);  // who takes the keys needs no goal
     QVERIFY(!f.drive().goal());
+}
+
+void DriveTest::a_click_leads_away_from_a_wall() {
+    DriveFixture f;
+    const auto told = [&] { return f.world_window().findChild<QLabel*>("drive_figures")->text(); };
+    const auto pose = [&] { return f.drive().tour()->pose_now(); };
+    const auto away = [&](const Point2& goal) {
+        return std::hypot(pose().x - goal.x, pose().y - goal.y);
+    };
+    f.drive().set_goal(Point2{3.0, 1.5});  // past the door
+    for (int k = 0; k < 600 && f.drive().goal(); ++k) f.periods(1);
+    // Straight into the wall, askew into it, and into the corner; then anywhere.
+    for (const Point2& wall : {Point2{4.99, 0.5}, Point2{5.5, 2.0}, Point2{5.5, 3.5}}) {
+        for (const Point2& goal :
+             {Point2{2.8, 0.5}, Point2{4.3, -1.5}, Point2{3.0, 2.4}, Point2{4.0, 2.4}}) {
+            f.drive().set_goal(wall);
+            for (int k = 0; k < 3000 && f.drive().barred() == 0; ++k) f.periods(1);
+            QCOMPARE(f.drive().barred(), 1);
+            QVERIFY2(told().contains("the Down key or S backs off"), qPrintable(told()));
+            f.drive().set_goal(goal);
+            for (int k = 0; k < 3000 && f.drive().goal(); ++k) f.periods(1);
+            QVERIFY2(!f.drive().goal(),
+                     qPrintable(QString("%1 m of %2, %3").arg(away(goal)).arg(goal.x).arg(goal.y)));
+            QVERIFY(away(goal) < 0.15);
+            QVERIFY(!told().contains("backs off"));
+        }
+    }
+    // The keys free it too.
+    f.drive().set_goal(Point2{5.5, pose().y});
+    for (int k = 0; k < 3000 && f.drive().barred() == 0; ++k) f.periods(1);
+    f.drive().hold(-1.0, 0.0);
+    f.periods(20);
+    QCOMPARE(f.drive().barred(), 0);
+    for (int k = 0; k < 3000 && f.drive().barred() == 0; ++k) f.periods(1);
+    QVERIFY2(told().contains("the Up key or W"), qPrintable(told()));
+    f.drive().hold(0.0, 0.0);
+    f.periods(1);
+    QVERIFY(!told().contains("the Up key or W"));
+}
+
+void DriveTest::what_is_told_of_a_tour_goes_with_the_next() {
+    QStandardPaths::setTestModeEnabled(true);
+    DriveFixture f;
+    const auto* told = f.world_window().findChild<QLabel*>("world_notice");
+    auto* drive = f.world_window().findChild<QPushButton*>("world_drive");
+    f.periods(static_cast<int>(6.0 * f.drive().tour()->world().robot.control_rate_hz));
+    drive->click();  // back to drawing
+    QVERIFY2(told->text().contains("was kept as"), qPrintable(told->text()));
+    drive->click();
+    QVERIFY(f.drive().active());
+    QCOMPARE(told->text(), QString());
+    QStandardPaths::setTestModeEnabled(false);
 }
 
 void DriveTest::the_goal_is_dragged() {

@@ -165,6 +165,8 @@ class DriveTest : public QObject {
   private slots:
     void keys_drive_the_robot_and_the_run_follows();
     void a_click_is_where_it_drives();
+    void a_click_leads_away_from_a_wall();
+    void what_is_told_of_a_tour_goes_with_the_next();
     void the_goal_is_dragged();
     void what_is_kept_is_the_same_run();
     void the_same_keys_give_the_same_bytes();

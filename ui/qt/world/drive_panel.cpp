@@ -254,6 +254,13 @@ QString DrivePanel::figures() const {
                         .arg(tour.duration_s(), 0, 'f', 1)
                         .arg(twist.v, 0, 'f', 2)
                         .arg(std::round(twist.w * kDegreesPerRadian) + 0.0, 0, 'f', 0);
+    if (drive_.barred() != 0) {
+        return words + '\n' +
+               (drive_.barred() > 0 ? tr("A wall is in the way: the Down key or S backs off, a "
+                                         "click on the free side "
+                                         "leads away.")
+                                    : tr("A wall is behind: the Up key or W drives on."));
+    }
     const auto snapshot = session_.snapshot();
     if (!snapshot || snapshot->steps == 0 || snapshot->steps > tour.scans()) {
         return words + '\n' +

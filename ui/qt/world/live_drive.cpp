@@ -3,11 +3,13 @@
 
 #include <QFileInfo>
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <filesystem>
 #include <utility>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/geometry.hpp"
 #include "hitos/simulation/drive/driver.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "look/user_files.hpp"
@@ -18,6 +20,8 @@ namespace {
 
 /// Of tour time in one go: where the machine falls behind, the rest of the delay is let be.
 constexpr double kMostAtOnceS = 0.5;
+/// Heads for its goal: turning on would change next to nothing [rad].
+constexpr double kHeadsForIt = 0.005;
 /// A tour shorter than this is no loss [s].
 constexpr double kWorthKeepingS = 5.0;
 
@@ -61,6 +65,8 @@ void LiveDrive::begin(const Configuracion& configuration) {
     text_ = std::move(text);
     goal_.reset();
     ahead_ = left_ = 0.0;
+    turns_first_ = false;
+    barred_ = 0;
     go_on();
     emit changed();
 }
@@ -77,6 +83,8 @@ void LiveDrive::hold(double ahead, double left) {
 
 void LiveDrive::set_goal(std::optional<Point2> goal) {
     goal_ = goal;
+    turns_first_ = false;
+    barred_ = 0;
     emit moved();
 }
 
@@ -107,14 +115,23 @@ void LiveDrive::tick() {
     for (; timer_.isActive() && due_s_ >= period_s; due_s_ -= period_s) drive_period();
 }
 
+/// Of the robot. On its way to a goal it turns as it drives; where a wall does not let it, it turns
+/// on the spot before.
+Twist LiveDrive::wanted_now() {
+    const RobotParams& robot = tour_->world().robot;
+    if (!goal_) return {ahead_ * robot.max_speed, 0.0, left_ * robot.max_turn_rate};
+    const Pose pose = tour_->pose_now();
+    Twist wanted = towards(pose, *goal_, robot);
+    if (wanted == Twist{}) goal_.reset();
+    if (!goal_ || !turns_first_) return wanted;
+    const double bearing = std::atan2(goal_->y - pose.y, goal_->x - pose.x);
+    if (std::abs(wrap_angle(bearing - pose.theta)) > kHeadsForIt) wanted.v = 0.0;
+    return wanted;
+}
+
 void LiveDrive::drive_period() {
     if (!tour_) return;
-    const RobotParams& robot = tour_->world().robot;
-    Twist wanted{ahead_ * robot.max_speed, 0.0, left_ * robot.max_turn_rate};
-    if (goal_) {
-        wanted = towards(tour_->pose_now(), *goal_, robot);
-        if (wanted == Twist{}) goal_.reset();
-    }
+    const Twist wanted = wanted_now();
     const std::uint64_t scans = tour_->scans();
     try {
         tour_->drive_on(wanted.v, wanted.w);
@@ -123,8 +140,17 @@ void LiveDrive::drive_period() {
         emit failed(words_of(error));
         return;
     }
+    note_walls(wanted);
     if (tour_->scans() != scans) session_.follow();
     emit moved();
+}
+
+/// What is asked to drive and stands still has a wall before it.
+void LiveDrive::note_walls(const Twist& wanted) {
+    const bool stands = wanted.v != 0.0 && tour_->twist_now() == Twist{};
+    const bool turned = !goal_ || std::exchange(turns_first_, turns_first_ || stands);
+    barred_ = !stands || !turned ? 0 : wanted.v > 0.0 ? 1 : -1;
+    if (!stands && wanted.v != 0.0) turns_first_ = false;
 }
 
 void LiveDrive::write(const QString& path) const {

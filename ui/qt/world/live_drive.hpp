@@ -40,6 +40,9 @@ class LiveDrive final : public QObject {
     /// Drives there [m, world frame]; nothing: nowhere.
     void set_goal(std::optional<Point2> goal);
     const std::optional<Point2>& goal() const { return goal_; }
+    /// A wall keeps it from driving ahead (1) or back (-1), as it is asked to, and turning first
+    /// would not help on the way to its goal. 0: none does.
+    int barred() const { return barred_; }
     /// Happens now. Throws hitos::ConfigError where it cannot.
     void disturb(const Disturbance& disturbance);
 
@@ -73,6 +76,8 @@ class LiveDrive final : public QObject {
 
   private:
     void tick();
+    Twist wanted_now();
+    void note_walls(const Twist& wanted);
     void write(const QString& path) const;
     bool is_worth_keeping() const;
     QString rescue();
@@ -88,6 +93,8 @@ class LiveDrive final : public QObject {
     double ahead_ = 0.0;
     double left_ = 0.0;
     std::optional<Point2> goal_;
+    bool turns_first_ = false;  ///< on the way to the goal, because a wall was in the way
+    int barred_ = 0;
 };
 
 }  // namespace hitos::window

@@ -233,6 +233,7 @@ bool WorldWindow::begin_driving(const QString& path) {
         }
         configuration.source = {};
         configuration.source.file = path.toStdString();
+        say({});  // it was about an earlier tour
         panel_->begin(configuration);
         return true;
     } catch (const std::exception& error) {
