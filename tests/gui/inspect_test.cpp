@@ -86,6 +86,32 @@ void InspectTest::the_landmark_table_has_every_landmark() {
     QCOMPARE(rows_of(table).rowCount(), static_cast<int>(f.session.snapshot()->best_map.size()));
 }
 
+void InspectTest::no_number_of_a_table_is_cut() {
+    Fixture f;
+    f.run_to_end();
+    f.trigger("action_landmarks_dock");
+    FiguresTable& table = table_of(f, "landmark_table");
+    const QAbstractItemModel& rows = rows_of(table);
+    for (const auto& [column, order] :
+         {std::pair(0, Qt::AscendingOrder), std::pair(2, Qt::DescendingOrder)}) {
+        table.sortByColumn(column, order);
+        QTest::qWait(50);  // columns are fitted a little later
+        for (int row = 0; row < rows.rowCount(); ++row) {
+            for (int at = 0; at < rows.columnCount(); ++at) {
+                const QModelIndex cell = table.model()->index(row, at);
+                QStyleOptionViewItem option;
+                option.initFrom(&table);
+                const int wanted = table.itemDelegateForIndex(cell)->sizeHint(option, cell).width();
+                QVERIFY2(table.columnWidth(at) >= wanted,
+                         qPrintable(QString("%1: %2 of %3 pixels")
+                                        .arg(cell.data().toString())
+                                        .arg(table.columnWidth(at))
+                                        .arg(wanted)));
+            }
+        }
+    }
+}
+
 void InspectTest::a_chosen_landmark_is_marked_everywhere() {
     Fixture f;
     f.trigger("action_world_frame");
@@ -265,7 +291,8 @@ void InspectTest::a_clicked_feature_tells_why() {
     const Association& told = snapshot->associations[static_cast<std::size_t>(chosen)];
     QCOMPARE(told.kind, FeatureKind::line);
     const QString words = f.window->findChild<QLabel*>("association_words")->text();
-    QVERIFY2(words.startsWith(outcome_words(told, snapshot->best_map)), qPrintable(words));
+    QVERIFY2(words.startsWith(outcome_words(told, snapshot->best_map, snapshot->steps)),
+             qPrintable(words));
     QVERIFY2(words.contains(reason_words(told.reason)), qPrintable(words));
     QVERIFY2(words.contains("p0"), qPrintable(words));
     // All lines of the map before the scan were compared, the nearest stands first.
@@ -312,9 +339,47 @@ void InspectTest::the_inspector_tells_of_every_algorithm_and_particle() {
         QCOMPARE(rows_of(inspector->candidates()).rowCount(),
                  static_cast<int>(feature.compared.size()));
         const QString words = f.window->findChild<QLabel*>("association_words")->text();
-        QVERIFY2(words.startsWith(outcome_words(feature.decision, snapshot->best_map)),
-                 qPrintable(words));
+        QVERIFY2(
+            words.startsWith(outcome_words(feature.decision, snapshot->best_map, snapshot->steps)),
+            qPrintable(words));
         particle->setValue(-1);
+    }
+}
+
+void InspectTest::what_a_correction_merges_is_no_new_landmark() {
+    LandmarkMap map(2);
+    map[0].first_seen = 3;
+    map[1].first_seen = 9;
+    Association made{FeatureKind::line, 0, Association::Outcome::created,
+                     Association::Reason::fits_none, 1};
+    QCOMPARE(outcome_words(made, map, 10), QString("New: 2"));
+    made.landmark = 0;
+    QCOMPARE(outcome_words(made, map, 10), QString("New, then merged"));
+    made.outcome = Association::Outcome::matched;
+    QCOMPARE(outcome_words(made, map, 10), QString("Matched with 1"));
+    // Of a scan that closes a loop, whose landmarks were others when it was weighed.
+    Fixture f;
+    f.trigger("action_associations_dock");
+    auto* inspector = f.window->findChild<AssociationInspector*>();
+    Configuracion configuration =
+        ArchivoConfiguracion::read(Fixture::source_file("config/recorded.cfg").toStdString());
+    configuration.source.file = Fixture::source_file("data/bigloop.log.gz").toStdString();
+    configuration.filter.algorithm = "graph-slam";
+    f.session.set_configuration(configuration);
+    f.run_to_end();
+    const auto& loops = f.session.snapshot()->loops;
+    const auto loop = std::ranges::find_if(loops, &RunLoop::closed);
+    QVERIFY(loop != loops.end());
+    const std::uint64_t closing = loop->record.scan + 1;
+    for (const std::uint64_t scans : {closing - 1, closing}) {
+        f.session.seek(scans);
+        QTRY_VERIFY(f.session.progress().steps == scans && f.shows_everything());
+        QTRY_VERIFY(inspector->record() != nullptr);
+        inspector->choose(0);
+        const bool merged = inspector->record()->landmarks > f.session.snapshot()->best_map.size();
+        QCOMPARE(merged, scans == closing);
+        const QString words = f.window->findChild<QLabel*>("association_words")->text();
+        QVERIFY2(words.contains("Landmarks were merged at this scan") == merged, qPrintable(words));
     }
 }
 

@@ -333,6 +333,7 @@ class InspectTest : public QObject {
 
   private slots:
     void the_landmark_table_has_every_landmark();
+    void no_number_of_a_table_is_cut();
     void a_chosen_landmark_is_marked_everywhere();
     void a_chosen_particle_shows_what_it_believes();
     void a_click_on_the_cloud_chooses_a_particle();
@@ -342,6 +343,7 @@ class InspectTest : public QObject {
     void the_ancestry_of_the_particles_is_a_layer();
     void a_clicked_feature_tells_why();
     void the_inspector_tells_of_every_algorithm_and_particle();
+    void what_a_correction_merges_is_no_new_landmark();
     void weighing_again_leaves_the_run_as_it_was();
     void loops_are_listed_with_the_reason();
     void a_loop_is_chosen_in_the_map();

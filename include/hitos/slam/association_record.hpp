@@ -41,7 +41,10 @@ struct AssociationRecord {
     /// For every hypothesis, by its number before the resampling: the features of the scan, lines
     /// first, as SlamFilter::associations() lists those of the best.
     std::vector<std::vector<RecordedFeature>> hypotheses;
-    std::size_t best = 0;            ///< of hypotheses
+    std::size_t best = 0;  ///< of hypotheses
+    /// Of the best, after the step. Fewer in its map are what a correction has made one since, and
+    /// others may have other places.
+    std::size_t landmarks = 0;
     std::optional<double> log_p0;    ///< ln of the likelihood of a new landmark, where one is used
     std::optional<double> gate;      ///< squared Mahalanobis distance of candidates, likewise
     std::optional<double> new_gate;  ///< and from which on a feature is of no landmark

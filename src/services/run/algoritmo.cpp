@@ -11,6 +11,7 @@
 #include "hitos/capture/log_format.hpp"
 #include "hitos/capture/tour_examination.hpp"
 #include "hitos/features/extractor.hpp"
+#include "hitos/slam/association_record.hpp"
 #include "hitos/slam/filters.hpp"
 
 namespace hitos {
@@ -131,6 +132,7 @@ bool Algoritmo::step(AssociationRecord* record) {
         throw Error(out_of_memory(shortage));
     }
     clock_.ends(RunStage::filter);
+    if (record != nullptr) record->landmarks = state_.filter->best_map().size();
     note_scan();
     if (options_.step_grid) draw_scan(registered && registered->key);
     if (state_.registration) take_correction();

@@ -12,6 +12,7 @@
 #include "look/flow_layout.hpp"
 #include "look/parameter_text.hpp"
 #include "look/words_of.hpp"
+#include "views/landmark_painter.hpp"
 
 namespace hitos::window {
 namespace {
@@ -66,7 +67,7 @@ QVariant FeatureModel::key(int row, int column) const {
         case second:
             return values(row).second;
         default:
-            return outcome_words(association, snapshot_->best_map);
+            return outcome_words(association, snapshot_->best_map, snapshot_->steps);
     }
 }
 
@@ -84,7 +85,7 @@ QString FeatureModel::text(int row, int column) const {
         case second:
             return degree_words(values(row).second);
         default:
-            return outcome_words(association, snapshot_->best_map);
+            return outcome_words(association, snapshot_->best_map, snapshot_->steps);
     }
 }
 
@@ -195,7 +196,7 @@ AssociationInspector::AssociationInspector(Session& session, QWidget* parent)
             candidate_model_->feature().compared[static_cast<std::size_t>(candidate)].landmark;
         const auto snapshot = session_.snapshot();
         // Another particle's landmarks have numbers of their own.
-        if (landmark < 0 || particle_->value() >= 0 || !snapshot) return;
+        if (landmark < 0 || particle_->value() >= 0 || !snapshot || renumbered()) return;
         const auto place = static_cast<std::size_t>(landmark);
         if (place < snapshot->best_map.size()) emit landmark_chosen({snapshot->best_map[place]});
     });
@@ -261,6 +262,12 @@ const std::vector<RecordedFeature>* AssociationInspector::recorded() const {
     return number < record_->hypotheses.size() ? &record_->hypotheses[number] : nullptr;
 }
 
+/// Whether what was weighed has other numbers than the map that is shown.
+bool AssociationInspector::renumbered() const {
+    const auto snapshot = session_.snapshot();
+    return record_ && snapshot && record_->landmarks != snapshot->best_map.size();
+}
+
 void AssociationInspector::show_record() {
     const auto snapshot = session_.snapshot();
     std::vector<Association> associations;
@@ -293,6 +300,11 @@ void AssociationInspector::show_feature() {
     const Association& association = feature_model_->associations()[row];
     const QString outcome = feature_model_->index(chosen_, FeatureModel::outcome).data().toString();
     QStringList lines{outcome + ". " + reason_words(association.reason)};
+    const auto snapshot = session_.snapshot();
+    if (snapshot && particle_->value() < 0 &&
+        taken_in(association, snapshot->best_map, snapshot->steps)) {
+        lines << tr("It was merged with an older landmark then: it is none of its own.");
+    }
     const std::vector<RecordedFeature>* features = recorded();
     if (features == nullptr || row >= features->size()) {
         candidate_model_->set_feature(nullptr);
@@ -302,6 +314,11 @@ void AssociationInspector::show_feature() {
                                    : tr("This run cannot go back to weigh the scan again."));
     } else {
         candidate_model_->set_feature(&(*features)[row]);
+        if (renumbered()) {
+            lines << tr(
+                "Landmarks were merged at this scan: the numbers of those that it was "
+                "compared with are of before.");
+        }
         if (record_->log_p0) {
             lines << tr("p0, of a new landmark: ln p0 = %1").arg(*record_->log_p0, 0, 'f', 2);
         }

@@ -96,6 +96,7 @@ class AssociationInspector final : public QWidget {
     void show_feature();
     /// Those of the chosen particle; null where there is no record.
     const std::vector<RecordedFeature>* recorded() const;
+    bool renumbered() const;
 
     Session& session_;
     FeatureModel* feature_model_;

@@ -15,7 +15,7 @@ QString words(const char* text) {
 
 }  // namespace
 
-QString outcome_words(const Association& association, const LandmarkMap& map) {
+QString outcome_words(const Association& association, const LandmarkMap& map, std::uint64_t scans) {
     const int landmark = association.landmark + 1;
     const auto place = static_cast<std::size_t>(std::max(association.landmark, 0));
     const bool named = landmark > 0 && place < map.size() && map[place].identity >= 0;
@@ -27,6 +27,8 @@ QString outcome_words(const Association& association, const LandmarkMap& map) {
                        ? words(QT_TRANSLATE_NOOP("Associations", "Matched with %1")).arg(called)
                        : words(QT_TRANSLATE_NOOP("Associations", "Matched, on probation"));
         case Association::Outcome::created:
+            if (taken_in(association, map, scans))
+                return words(QT_TRANSLATE_NOOP("Associations", "New, then merged"));
             return landmark > 0 ? words(QT_TRANSLATE_NOOP("Associations", "New: %1")).arg(called)
                                 : words(QT_TRANSLATE_NOOP("Associations", "New, on probation"));
         default:

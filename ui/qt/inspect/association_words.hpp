@@ -9,8 +9,8 @@
 namespace hitos::window {
 
 /// "Matched with 5", "New: 7", "Ignored"; landmarks of the map by their places, from 1, or by their
-/// identities.
-QString outcome_words(const Association& association, const LandmarkMap& map);
+/// identities. The map is that after so many scans, as the associations are.
+QString outcome_words(const Association& association, const LandmarkMap& map, std::uint64_t scans);
 /// A sentence.
 QString reason_words(Association::Reason reason);
 QString standing_words(Standing standing);

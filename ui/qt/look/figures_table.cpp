@@ -88,6 +88,32 @@ FiguresTable::FiguresTable(FiguresModel* model, QWidget* parent) : QTableView(pa
     horizontalHeader()->setResizeContentsPrecision(20);  // rows; all of them would cost time
 }
 
+/// Qt asks some of the rows in sight, and others have longer numbers.
+int FiguresTable::sizeHintForColumn(int column) const {
+    constexpr int kMostAsked = 500;
+    const QAbstractItemModel& all = *proxy_.sourceModel();
+    const int step = 1 + all.rowCount() / kMostAsked;
+    QString longest;
+    QModelIndex of_longest;
+    for (int row = 0; row < all.rowCount(); row += step) {
+        const QModelIndex index = all.index(row, column);
+        const QString text = index.data().toString();
+        if (text.size() <= longest.size()) continue;
+        longest = text;
+        of_longest = index;
+    }
+    const int asked = QTableView::sizeHintForColumn(column);
+    if (!of_longest.isValid()) return asked;
+    // Others of so many letters have digits where this one may have something narrower.
+    QString widest = longest;
+    for (QChar& letter : widest)
+        if (letter == '-' || letter.isDigit()) letter = '0';
+    const int more =
+        fontMetrics().horizontalAdvance(widest) - fontMetrics().horizontalAdvance(longest);
+    return std::max(asked,
+                    sizeHintForIndex(proxy_.mapFromSource(of_longest)).width() + std::max(more, 0));
+}
+
 /// Else the view would choose another row in the place of one that goes.
 void FiguresTable::leave_rows_from(int first) {
     if (proxy_.mapToSource(currentIndex()).row() < first && chosen() < first) return;

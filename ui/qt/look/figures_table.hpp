@@ -68,6 +68,7 @@ class FiguresTable final : public QTableView {
     void row_chosen(int row);
 
   protected:
+    int sizeHintForColumn(int column) const override;
     void selectionChanged(const QItemSelection& selected,
                           const QItemSelection& deselected) override;
 

@@ -212,6 +212,12 @@ int find_same(const LandmarkMap& map, const std::optional<ICaracteristica>& want
     return found;
 }
 
+bool taken_in(const Association& association, const LandmarkMap& map, std::uint64_t scans) {
+    const auto place = static_cast<std::size_t>(std::max(association.landmark, 0));
+    return association.outcome == Association::Outcome::created && association.landmark >= 0 &&
+           place < map.size() && map[place].first_seen + std::uint64_t{1} < scans;
+}
+
 QString name_of(const ICaracteristica& landmark, int index) {
     if (landmark.identity >= 0)
         return landmark_words(QT_TRANSLATE_NOOP("Landmarks", "Landmark %1")).arg(landmark.identity);

@@ -46,11 +46,15 @@ int landmark_at(const MarkedMap& marked, const Point2& point, double tolerance_m
 /// The landmark of the map that `wanted` became; -1 where none is near.
 int find_same(const LandmarkMap& map, const std::optional<ICaracteristica>& wanted);
 
-/// What to know about a landmark: kind and number, values with deviations, observations. `world`
-/// is in the world's frame.
+/// Whether what a feature of the last of so many scans has made is, after a correction at this
+/// scan, one with a landmark that was there before.
+bool taken_in(const Association& association, const LandmarkMap& map, std::uint64_t scans);
+
 /// What a landmark is called: by its identity where it has one, else by its place in the map.
 QString name_of(const ICaracteristica& landmark, int index);
 
+/// What to know about a landmark: kind and number, values with deviations, observations. `world`
+/// is in the world's frame.
 QStringList describe(const ICaracteristica& world, int index);
 
 }  // namespace hitos::window

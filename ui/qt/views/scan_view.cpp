@@ -118,7 +118,10 @@ void ScanView::prepare_cloud() {
 void ScanView::prepare_links() {
     for (const Association& association : snapshot_->associations) {
         Link link;
-        link.outcome = association.outcome;
+        // What was new is none any more where it is one with an older landmark.
+        link.outcome = taken_in(association, snapshot_->best_map, snapshot_->steps)
+                           ? Association::Outcome::matched
+                           : association.outcome;
         const bool line = association.kind == FeatureKind::line;
         link.observed =
             line ? segments_.at(association.observed).center() : corners_.at(association.observed);
