@@ -305,6 +305,32 @@ void FitTest::what_opens_is_no_larger_than_its_screen() {
     QCOMPARE(small.size(), QSize(100, 80));
 }
 
+/// A window is moved with its frame, which lies round it.
+void FitTest::what_opens_lies_on_its_screen_with_its_frame() {
+    constexpr int kTitle = 36;
+    constexpr int kBorder = 8;
+    Fixture f;
+    const QRect screen = f.window->screen()->availableGeometry();
+    const auto on_screen = [&](const QWidget& window) {
+        const QRect with_frame(window.pos(), window.size() + QSize(2 * kBorder, kTitle + kBorder));
+        QVERIFY2(screen.contains(with_frame), qPrintable(QString("%1 at %2, %3, %4 x %5")
+                                                             .arg(window.objectName())
+                                                             .arg(window.x())
+                                                             .arg(window.y())
+                                                             .arg(window.width())
+                                                             .arg(window.height())));
+    };
+    f.trigger("action_study");
+    on_screen(*f.window->study());
+    on_screen(f.window->open_world_window());
+    for (const QSize& size : {QSize(400, 300), QSize(5000, 4000)}) {
+        QWidget other(f.window.get(), Qt::Window);
+        other.resize(size);
+        place_beside_parent(other, QPoint(2000, 2000));
+        on_screen(other);
+    }
+}
+
 /// Messages have paths and reasons, which are as long as they are.
 void FitTest::what_is_told_is_told_whole() {
     Fixture f;

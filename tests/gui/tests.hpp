@@ -473,6 +473,7 @@ class FitTest : public QObject {
     void every_window_fits_data();
     void every_window_fits();
     void what_opens_is_no_larger_than_its_screen();
+    void what_opens_lies_on_its_screen_with_its_frame();
     void what_is_told_is_told_whole();
     void at_scale_two_it_fits_too();
     void the_summary_can_be_folded();

@@ -22,11 +22,13 @@ QRect room_for(const QWidget& window) {
     return room_on(*(parent == nullptr ? &window : parent)->screen());
 }
 
+/// A window is moved by the corner of its frame, of which the room is the inside.
 void move_into(const QRect& room, QWidget& window, QPoint wanted) {
-    window.move(std::clamp(wanted.x(), room.left(),
-                           std::max(room.left(), room.right() + 1 - window.width())),
-                std::clamp(wanted.y(), room.top(),
-                           std::max(room.top(), room.bottom() + 1 - window.height())));
+    const QPoint least = room.topLeft() - QPoint(kFrame.left(), kFrame.top());
+    const QPoint most(least.x() + std::max(0, room.width() - window.width()),
+                      least.y() + std::max(0, room.height() - window.height()));
+    window.move(std::clamp(wanted.x(), least.x(), most.x()),
+                std::clamp(wanted.y(), least.y(), most.y()));
 }
 
 }  // namespace
