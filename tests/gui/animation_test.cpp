@@ -6,6 +6,7 @@
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QToolTip>
 
 #include "animation/animation_dialog.hpp"
 #include "gui_fixture.hpp"
@@ -53,6 +54,39 @@ void ask_for(int from, int to, int every) {
 }
 
 }  // namespace
+
+void ViewTest::what_is_told_at_a_field_covers_no_other() {
+    Fixture f;
+    f.run_to_end();
+    QTRY_VERIFY(f.window->result_actions().total());
+    const int scans = static_cast<int>(*f.window->result_actions().total());
+    in_dialog<AnimationDialog>([&](AnimationDialog& dialog) {
+        for (const char* name : {"animation_from", "animation_to", "animation_every"})
+            QCOMPARE(dialog.findChild<QSpinBox*>(name)->maximum(), scans);
+        auto* from = dialog.findChild<QSpinBox*>("animation_from");
+        from->setFocus();
+        from->selectAll();
+        QTest::keyClicks(from, "0");
+        QTRY_VERIFY(QToolTip::isVisible());
+        const QWidget* tip = nullptr;
+        for (const QWidget* top : QApplication::topLevelWidgets())
+            if (top->objectName() == "qtooltip_label") tip = top;
+        QVERIFY(tip != nullptr);
+        for (const auto* input : dialog.findChildren<QWidget*>()) {
+            if (qobject_cast<const QSpinBox*>(input) == nullptr &&
+                qobject_cast<const QComboBox*>(input) == nullptr &&
+                qobject_cast<const QPushButton*>(input) == nullptr) {
+                continue;
+            }
+            const QRect place(input->mapToGlobal(QPoint()), input->size());
+            QVERIFY2(!tip->geometry().intersects(place), qPrintable(input->objectName()));
+        }
+        QTest::keyClicks(from, "5");
+        QTRY_VERIFY(!QToolTip::isVisible());
+        dialog.reject();
+    });
+    f.trigger("action_save_animation");
+}
 
 void ViewTest::a_run_is_saved_as_frames_and_a_film() {
     Fixture f;

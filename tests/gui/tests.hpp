@@ -324,6 +324,7 @@ class ViewTest : public QObject {
     void the_grid_view_shows_the_grid_map();
     void a_run_is_saved_as_frames_and_a_film();
     void a_film_shows_both_views_up_to_its_size();
+    void what_is_told_at_a_field_covers_no_other();
     void an_animation_needs_no_film_maker();
     void a_cancelled_animation_leaves_nothing();
 };

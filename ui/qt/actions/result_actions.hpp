@@ -40,6 +40,7 @@ class ResultActions final : public QObject {
     void list_skipped();
     /// How many scans the tour has; nothing while that is not known.
     void set_total(std::optional<quint64> scans);
+    const std::optional<quint64>& total() const { return total_; }
     void save_map();
     void save_map_of(int particle);
     /// As a TUM file.

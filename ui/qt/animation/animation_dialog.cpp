@@ -81,7 +81,8 @@ Picture film_frame(const std::vector<FigureOffer>& shown, const QSize& most) {
 
 }  // namespace
 
-AnimationDialog::AnimationDialog(quint64 scans, QWidget* parent) : QDialog(parent) {
+AnimationDialog::AnimationDialog(quint64 scans, QWidget* parent, std::optional<quint64> all)
+    : QDialog(parent) {
     setObjectName("animation");
     setWindowTitle(tr("Save animation"));
     auto* column = new QVBoxLayout(this);
@@ -92,17 +93,19 @@ AnimationDialog::AnimationDialog(quint64 scans, QWidget* parent) : QDialog(paren
     view_->addItems({tr("Grid map"), tr("Last scan"), tr("Both, side by side")});
     form->addRow(tr("View"), view_);
     const int last = static_cast<int>(std::clamp<quint64>(scans, 1, kMostScansShown));
-    const auto add = [this](const QString& label, const char* name, int most, int value) {
+    const int most = std::max(
+        last, static_cast<int>(std::min<quint64>(all.value_or(kMostScansShown), kMostScansShown)));
+    const auto add = [this](const QString& label, const char* name, int greatest, int value) {
         auto* box = new QSpinBox(this);
         box->setObjectName(name);
         box->setAccessibleName(label);
-        box->setRange(1, most);
+        box->setRange(1, greatest);
         box->setValue(value);
         return box;
     };
-    from_ = add(tr("From scan"), "animation_from", kMostScansShown, 1);
-    to_ = add(tr("To scan"), "animation_to", kMostScansShown, last);
-    every_ = add(tr("A frame every so many scans"), "animation_every", kMostScansShown,
+    from_ = add(tr("From scan"), "animation_from", most, 1);
+    to_ = add(tr("To scan"), "animation_to", most, last);
+    every_ = add(tr("A frame every so many scans"), "animation_every", most,
                  1 + (last - 1) / kFramesAtFirst);
     rate_ = add(tr("Frames a second"), "animation_rate", 60, 25);
     size_ = new QComboBox(this);
@@ -150,10 +153,11 @@ FilmStyle AnimationDialog::style() const {
     return {view != 0, view != 1, size_->currentData().toSize(), still_->isChecked()};
 }
 
-void save_animation(Session& session, UserFiles& files, Prompts& prompts, ScanView& scan,
-                    GridView& grid, QWidget* window, const std::function<void(QString)>& notice) {
+void save_animation(Session& session, std::optional<quint64> scans, UserFiles& files,
+                    Prompts& prompts, ScanView& scan, GridView& grid, QWidget* window,
+                    const std::function<void(QString)>& notice) {
     if (!session.has_source()) return;
-    AnimationDialog dialog(session.worker()->figures_since(0).size(), window);
+    AnimationDialog dialog(session.worker()->figures_since(0).size(), window, scans);
     if (dialog.exec() != QDialog::Accepted) return;
     AnimationPlan plan = dialog.plan();
     plan.folder = ask_for_folder(files, prompts, window);

@@ -4,6 +4,7 @@
 
 #include <QDialog>
 #include <functional>
+#include <optional>
 
 #include "animation.hpp"
 #include "look/prompts.hpp"
@@ -31,8 +32,8 @@ class AnimationDialog final : public QDialog {
     Q_OBJECT
 
   public:
-    /// `scans` of the log, as far as it is known.
-    AnimationDialog(quint64 scans, QWidget* parent);
+    /// `scans` of the log, as far as it is known; `all` of them where they are counted.
+    AnimationDialog(quint64 scans, QWidget* parent, std::optional<quint64> all = {});
 
     AnimationPlan plan() const;
     FilmStyle style() const;
@@ -51,8 +52,9 @@ class AnimationDialog final : public QDialog {
 };
 
 /// Asks, and writes the animation with a progress window that can cancel it. `notice` is told what
-/// came of it.
-void save_animation(Session& session, UserFiles& files, Prompts& prompts, ScanView& scan,
-                    GridView& grid, QWidget* window, const std::function<void(QString)>& notice);
+/// came of it. `scans` of the tour, where they are counted.
+void save_animation(Session& session, std::optional<quint64> scans, UserFiles& files,
+                    Prompts& prompts, ScanView& scan, GridView& grid, QWidget* window,
+                    const std::function<void(QString)>& notice);
 
 }  // namespace hitos::window

@@ -245,7 +245,8 @@ void MainWindow::connect_run() {
         status_->notice(tr("The picture is in the clipboard."));
     });
     connect(ui_->action_save_animation, &QAction::triggered, this, [this] {
-        save_animation(session_, files_, prompts_, *ui_->scan_view, *ui_->grid_view, this,
+        save_animation(session_, results_->total(), files_, prompts_, *ui_->scan_view,
+                       *ui_->grid_view, this,
                        [this](const QString& words) { status_->notice(words); });
     });
     connect(ui_->action_exit, &QAction::triggered, this, &QWidget::close);

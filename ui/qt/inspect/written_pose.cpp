@@ -3,10 +3,10 @@
 
 #include <QCoreApplication>
 #include <QLineEdit>
-#include <QToolTip>
 
 #include "hitos/base/error.hpp"
 #include "hitos/capture/joined_tour.hpp"
+#include "look/field_tip.hpp"
 #include "look/theme.hpp"
 #include "look/written_number.hpp"
 
@@ -37,9 +37,8 @@ void make_pose_line(QLineEdit& line, const QString& words) {
                      [&line, unread] { set_look(line, "state", unread() ? "wrong" : "good"); });
     QObject::connect(&line, &QLineEdit::returnPressed, &line, [&line, unread] {
         if (!unread()) return;
-        QToolTip::showText(
-            line.mapToGlobal(QPoint(0, line.height())),
-            QCoreApplication::translate("WrittenPose", "Expected: %1").arg(line.toolTip()), &line);
+        show_field_tip(
+            line, QCoreApplication::translate("WrittenPose", "Expected: %1").arg(line.toolTip()));
     });
 }
 

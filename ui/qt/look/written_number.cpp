@@ -6,8 +6,8 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QRegularExpression>
-#include <QToolTip>
 
+#include "field_tip.hpp"
 #include "theme.hpp"
 
 namespace hitos::window {
@@ -32,7 +32,7 @@ QString range_of(const QAbstractSpinBox& box) {
 }
 
 void tell_range(QAbstractSpinBox& box) {
-    QToolTip::showText(box.mapToGlobal(QPoint(0, box.height())), range_of(box), &box);
+    show_field_tip(box, range_of(box));
 }
 
 }  // namespace
@@ -41,9 +41,14 @@ void tell_range(QAbstractSpinBox& box) {
 /// of it.
 void NumberBoxes::look_after(QAbstractSpinBox& box) {
     const auto refuse = [&box](bool refused) {
+        const bool told = box.property("state").toString() == "wrong";
         box.setProperty(kRefused, refused);
         set_look(box, "state", refused ? "wrong" : "good");
-        if (refused) tell_range(box);
+        if (refused) {
+            tell_range(box);
+        } else if (told) {
+            hide_field_tip();
+        }
     };
     auto* line = box.findChild<QLineEdit*>();
     if (line == nullptr) return;
