@@ -18,6 +18,7 @@
 #include "inspect/loop_model.hpp"
 #include "inspect/loop_table.hpp"
 #include "inspect/loop_view.hpp"
+#include "look/parameter_text.hpp"
 #include "tests.hpp"
 
 namespace hitos::window {
@@ -296,6 +297,11 @@ void InspectTest::a_step_that_slipped_is_listed_and_taken_back() {
     auto* list = f.dock().findChild<QListWidget*>("graph_edits");
     QVERIFY(list->isVisible());
     QCOMPARE(list->item(0)->text(), "1. The step to scan 120 slipped");
+    // As Undo says it, too.
+    Configuracion without = f.session.configuration();
+    without.registration.edits.clear();
+    const QString told = change_words(f.session.configuration(), without);
+    QVERIFY2(told.endsWith(" The step to scan 120 slipped"), qPrintable(told));
     list->setCurrentRow(0);
     f.press("edit_take_back");
     QTRY_VERIFY(f.edits().empty() && f.shows_everything());

@@ -112,7 +112,7 @@ std::vector<Message> sentences_of(const WorldCheck& check, const World& world) {
     sentences.insert(sentences.end(), world.drawing_warnings.begin(), world.drawing_warnings.end());
     if (!check.has_tour) {
         sentences.push_back(message(
-            HITOS_TEXT("Errors", "tour: none yet; it can be driven by hand, or given way_points")));
+            HITOS_TEXT("Errors", "tour: none yet; it can be driven by hand, or given way points")));
     } else if (check.tour_problem.empty()) {
         sentences.push_back(message(HITOS_TEXT("Errors", "tour: hits no wall")));
     } else {

@@ -69,7 +69,7 @@ TEST(WorldCheck, ATourThatHitsAWallIsTold) {
     EXPECT_TRUE(check_world(world).good());
     EXPECT_FALSE(check_world(world).has_tour);
     EXPECT_EQ(sentences_of(check_world(world), world).back().english(),
-              "tour: none yet; it can be driven by hand, or given way_points");
+              "tour: none yet; it can be driven by hand, or given way points");
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "anchor_dialog.hpp"
-#include "hitos/capture/joined_tour.hpp"
 #include "hitos/services/evaluation/measures.hpp"
+#include "look/edit_words.hpp"
 #include "look/flow_layout.hpp"
 #include "look/parameter_text.hpp"
 #include "look/undo_keys.hpp"
@@ -21,30 +21,6 @@
 
 namespace hitos::window {
 namespace {
-
-QString words_of(const GraphEdit& edit) {
-    const QString scan = QString::number(edit.scan.scan + 1);
-    const QString earlier = QString::number(edit.earlier.scan + 1);
-    switch (edit.kind) {
-        case GraphEdit::Kind::refuse:
-            return EditList::tr("Refused: scan %1 has not come back to %2").arg(scan, earlier);
-        case GraphEdit::Kind::close:
-            return EditList::tr("Closed: scan %1 has come back to %2").arg(scan, earlier);
-        case GraphEdit::Kind::fix:
-            return EditList::tr("Scan %1 is fixed").arg(scan);
-        case GraphEdit::Kind::wall:
-            return EditList::tr("Scan %1 is anchored to a wall of the drawing, seen at %2°")
-                .arg(scan)
-                .arg(edit.bearing * kDegreesPerRadian, 0, 'f', 0);
-        case GraphEdit::Kind::point:
-            return EditList::tr("Scan %1 is anchored to the point %2, %3 of the drawing")
-                .arg(scan)
-                .arg(edit.left.x, 0, 'f', 2)
-                .arg(edit.left.y, 0, 'f', 2);
-        default:
-            return EditList::tr("The step to scan %1 slipped").arg(scan);
-    }
-}
 
 double largest_move_m(const Trajectory& before, const Trajectory& after) {
     double largest = 0.0;
@@ -128,7 +104,7 @@ void EditList::refresh() {
     QStringList words;
     for (const GraphEdit& edit : edits) {
         // By its number errors name it.
-        words << QString("%1. %2").arg(words.size() + 1).arg(words_of(edit));
+        words << QString("%1. %2").arg(words.size() + 1).arg(change_in_words(edit));
         if (!edit.comment.empty()) words.back() += " – " + to_qt(edit.comment);
     }
     QStringList shown;

@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include "edit_words.hpp"
+#include "hitos/base/error.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/results/kept_run.hpp"
 #include "words_of.hpp"
@@ -38,15 +40,31 @@ QString shortened(const QString& words) {
     return words.size() <= kMost ? words : words.left(kMost - 1) + QString::fromUtf8("…");
 }
 
+/// As the list of changes by hand has them; as they are where they are none.
+QString edits_in_words(const std::string& text) {
+    QStringList words;
+    try {
+        for (const GraphEdit& edit : parse_graph_edits(text)) words << change_in_words(edit);
+    } catch (const Error&) {
+        return to_qt(text);
+    }
+    return words.join(QStringLiteral("; "));
+}
+
+/// "Particles 100"
+QString setting_words(const ConfigParameter& parameter, const Configuracion& configuration) {
+    const QString value = value_with_unit(parameter, configuration);
+    return label_of(parameter) + ' ' +
+           (value.isEmpty()
+                ? translated("ParameterChoice", QT_TRANSLATE_NOOP("ParameterChoice", "none"))
+                : shortened(value));
+}
+
 QStringList differing(const Configuracion& configuration, const Configuracion& base) {
     QStringList words;
     for (const ConfigParameter* parameter : differences(configuration, base)) {
         if (!parameter->used_by(configuration)) continue;  // it says nothing of this one
-        const QString value = value_with_unit(*parameter, configuration);
-        words << label_of(*parameter) + ' ' +
-                     (value.isEmpty() ? translated("ParameterChoice",
-                                                   QT_TRANSLATE_NOOP("ParameterChoice", "none"))
-                                      : shortened(value));
+        words << setting_words(*parameter, configuration);
     }
     return words;
 }
@@ -123,6 +141,7 @@ QString value_words(const ParameterFacts& parameter, const std::string& text) {
     if (parameter.key == "source.file" || parameter.key == "source.map") {
         return QFileInfo(QString::fromStdString(text)).fileName();
     }
+    if (parameter.key == kGraphEditsKey) return edits_in_words(text);
     const std::optional<std::size_t> place = parameter.place_of(text);
     return place ? choice_of(parameter, *place) : QString::fromStdString(text);
 }
@@ -159,6 +178,18 @@ QString value_with_unit(const ConfigParameter& parameter, const Configuracion& c
 
 QString difference_words(const Configuracion& configuration, const Configuracion& base) {
     return differing(configuration, base).join(", ");
+}
+
+QString compared_words(const Configuracion& right, const Configuracion& left) {
+    QStringList words;
+    for (const ConfigParameter* parameter : differences(left, right)) {
+        const bool of_right = parameter->used_by(right);
+        const QString said = setting_words(*parameter, of_right ? right : left);
+        words << (of_right ? said
+                           : QCoreApplication::translate("Parameter", "%1 (the left one alone)")
+                                 .arg(said));
+    }
+    return words.join(", ");
 }
 
 QString change_words(const Configuracion& configuration, const Configuracion& base) {

@@ -46,6 +46,9 @@ QString difference_words(const Configuracion& configuration, const Configuracion
 /// The same of a change, with another log's name and threads, and of many the first few:
 /// "aces.log.gz, Particles 200, D max 0.02 m and 11 more".
 QString change_words(const Configuracion& configuration, const Configuracion& base);
+/// In what two runs that are compared differ, by the values of the right one; of what only the left
+/// one makes use of by its own.
+QString compared_words(const Configuracion& right, const Configuracion& left);
 /// "0 to 10 m", translated.
 QString allowed_of(const ParameterFacts& parameter);
 bool is_default(const ConfigParameter& parameter, const Configuracion& configuration);
