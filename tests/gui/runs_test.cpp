@@ -29,76 +29,12 @@
 #include "gui_fixture.hpp"
 #include "look/theme.hpp"
 #include "look/words_of.hpp"
-#include "runs/compare_window.hpp"
-#include "runs/runs_panel.hpp"
+#include "runs_fixture.hpp"
 #include "tests.hpp"
 #include "views/canvas_paint.hpp"
 
 namespace hitos::window {
 namespace {
-
-struct RunsFixture : Fixture {
-    using Fixture::Fixture;
-
-    RunList& list() const { return window->runs().list(); }
-    RunsPanel& panel() const { return window->runs().panel(); }
-    QString cell(int row, int column) const {
-        return panel().table().model()->index(row, column).data().toString();
-    }
-    int rows() const { return panel().table().model()->rowCount(); }
-    void press(const char* button) const { panel().findChild<QPushButton*>(button)->click(); }
-    bool enabled(const char* button) const {
-        return panel().findChild<QPushButton*>(button)->isEnabled();
-    }
-    void change(int particles) {
-        Configuracion next = session.configuration();
-        next.filter.particles = particles;
-        session.set_configuration(next);
-    }
-    CompareWindow& comparison() const {
-        if (window->runs().comparison() == nullptr) qFatal("no comparison");
-        return *window->runs().comparison();
-    }
-    /// All results of the run, in a folder of that name.
-    void save_results(const QString& name) {
-        prompts.saves = {path(name)};
-        trigger("action_save_results");
-        QTRY_VERIFY(!window->result_actions().writing());
-    }
-};
-
-/// Two runs of 80 scans, 10 and 20 particles, and a third one under way.
-void run_thrice(RunsFixture& f) {
-    f.trigger("action_runs_dock");
-    f.run_steps(80);
-    f.change(20);
-    f.run_steps(80);
-    f.change(30);
-    f.run_steps(40);
-}
-
-CompareWindow& compare_first_two(const RunsFixture& f) {
-    f.panel().table().choose_rows({1, 2});
-    f.press("runs_compare");
-    return f.comparison();
-}
-
-/// The path of the first run, somewhere else, as the truth.
-References moved_path_of_the_first(const RunsFixture& f) {
-    References references;
-    references.trajectory = f.list().runs()[1].run->path;
-    for (StampedPose& stamped : *references.trajectory)
-        stamped.pose = compose({4.0, -2.0, 1.0}, stamped.pose);
-    return references;
-}
-
-QToolButton* figures_button(const CompareWindow& comparison) {
-    return comparison.findChild<QToolButton*>("compare_figures_shown");
-}
-
-QImage seen(QWidget& widget) {
-    return widget.grab().toImage();
-}
 
 void run_two_logs(RunsFixture& f) {
     f.run_steps(40);
@@ -598,7 +534,7 @@ void RunsTest::a_map_is_gone_on_with() {
     QCOMPARE(f.prompts.warnings.size(), 1);
     QVERIFY2(f.prompts.warnings.takeFirst().contains("\"slip 12\" is of the map of"),
              "the map stays as it is");
-    QCOMPARE(f.session.configuration().registration.edits, std::string("slip 50"));
+    QVERIFY(f.session.configuration().registration.edits.starts_with("slip 50"));
 
     // The command line has the same.
     CommandLine line;
@@ -609,7 +545,7 @@ void RunsTest::a_map_is_gone_on_with() {
     QVERIFY(localised.source.hold);
     QCOMPARE(localised.filter.particles, 3);
     QCOMPARE(localised.source.map, line.values.map);
-    QCOMPARE(localised.registration.edits, std::string("slip 50"));
+    QVERIFY(localised.registration.edits.starts_with("slip 50"));
     // A folder of nothing is none.
     f.prompts.folders = {f.path("user")};
     f.trigger("action_go_on");

@@ -131,8 +131,11 @@ class RunsTest : public QObject {
     void errors_are_measured_by_the_references();
     void paths_of_chosen_runs_are_in_the_grid_map();
     void a_run_can_be_removed_and_its_configuration_used();
+    void the_settings_that_differ_are_those_of_the_command_line();
     void two_runs_are_side_by_side_under_one_camera();
     void two_runs_lie_over_each_other_or_blink();
+    void runs_of_different_frames_are_laid_on_each_other();
+    void legends_cover_nothing();
     void a_run_is_compared_with_its_odometry();
     void figures_are_hidden_at_first_and_need_a_reference();
     void figures_are_those_of_the_services();

@@ -246,8 +246,8 @@ void ExportDialog::refresh() {
     letters_->setEnabled(mm && !offer().for_print && !offer().plain);
     title_->setEnabled(!offer().plain);
     dots_->setEnabled(mm && !of_shapes());
-    axes_->setEnabled(offer().axes);
-    legend_->setEnabled(offer().legend);
+    axes_->setVisible(offer().axes);
+    legend_->setVisible(offer().legend);
     light_->setEnabled(!offer().for_print);
     layers_->setEnabled(layers_->count() > 0);
     later_.start(0);

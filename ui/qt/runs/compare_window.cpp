@@ -333,6 +333,20 @@ PathFigures CompareWindow::figures_of(const Compared& of) const {
     return path_figures(of.path(), *reference, strip_->aligned());
 }
 
+/// Runs of one log may begin in different frames. With the figures as the alignment is chosen
+/// there, else by the first poses, as where both begin at the same place.
+std::optional<Pose> CompareWindow::laid_on_left(const Compared& of) const {
+    const Compared& left = sides_.front();
+    if (!of.run || !left.run || of.path().empty() || left.path().empty()) return Pose{};
+    if (!same_log(of.run->configuration, left.run->configuration)) return std::nullopt;
+    if (of.path().front() == left.path().front() && !figures_->isChecked()) return Pose{};
+    if (figures_->isChecked() && strip_->aligned()) {
+        if (const auto error = trajectory_error(of.path(), left.path()))
+            return error->pose_reference_estimate;
+    }
+    return first_alignment(of.path(), left.path());
+}
+
 void CompareWindow::measure(Of which) {
     since_measured_.start();
     const auto renew = [&](Compared& of) {
@@ -343,6 +357,8 @@ void CompareWindow::measure(Of which) {
         if (other.choice.number == 0) other.run = run_of(other.choice);
         renew(other);
     }
+    sides_.back().laid = laid_on_left(sides_.back());
+    for (Compared& other : others_) other.laid = laid_on_left(other);
     std::vector<ErrorStrip::Side> shown;
     for (const Compared* of : compared())
         shown.push_back(
@@ -359,6 +375,10 @@ RunTrace CompareWindow::trace_of(std::size_t place, bool landmarks) const {
     RunTrace trace{title_of(of.choice), colour_at(place), points_of(of.path()),
                    landmarks ? MarkedMap{of.run->map, of.run->line_extents} : MarkedMap{}};
     trace.begins = begins_of(of.path());
+    if (const Pose laid = of.laid.value_or(Pose{}); mode_ == Mode::overlaid && laid != Pose{}) {
+        trace.path = points_of(of.path(), laid);
+        trace.landmarks = transform(laid, trace.landmarks.map, trace.landmarks.extents);
+    }
     if (of.figures.errors.empty()) return trace;
     trace.errors_m.assign(trace.path.size(), std::numeric_limits<double>::quiet_NaN());
     for (const PathError& error : of.figures.errors) {
@@ -377,6 +397,7 @@ RunTrace CompareWindow::reference_of(const Compared& of) {
 
 void CompareWindow::show_in(GridView& view, const Side& side) const {
     if (!side.run) return;
+    view.set_frame(side.laid.value_or(Pose{}));
     view.set_grid(side.grid, side.path());
     view.set_landmarks(side.choice.odometry ? MarkedMap{}
                                             : MarkedMap{side.run->map, side.run->line_extents});
@@ -385,11 +406,17 @@ void CompareWindow::show_in(GridView& view, const Side& side) const {
 /// In what they differ, and why a grid is missing.
 QString CompareWindow::verdict() const {
     const auto& [left, right] = sides_;
-    const QString different = difference_words(right.run->configuration, left.run->configuration);
+    const QString different = compared_words(right.run->configuration, left.run->configuration);
     QStringList words{different.isEmpty() ? tr("Left and right have the same configuration.")
                                           : tr("The right one differs in: %1").arg(different)};
     if (!same_log(left.run->configuration, right.run->configuration)) {
         words << tr("The logs differ: %1 and %2").arg(log_of(*left.run), log_of(*right.run));
+    }
+    for (const Compared* of : compared()) {
+        if (of->laid) continue;
+        words << tr("%1 is not laid on the left one: it is of another log, or has none of its "
+                    "stamps.")
+                     .arg(title_of(of->choice));
     }
     if (left_out_ > 0) words << tr("Chosen as well, and left out: %1").arg(left_out_);
     for (const Side& side : sides_) {
@@ -433,7 +460,11 @@ void CompareWindow::paint_sides() {
     right.view->set_traces(std::move(traces.back()));
     if (!one_view) show_in(*right.view, right);
     if (left.run && right.run) {
-        const QRectF both = left.content().united(right.content());
+        const Pose laid = right.laid.value_or(Pose{});
+        QTransform left_right;
+        left_right.translate(laid.x, laid.y);
+        left_right.rotateRadians(laid.theta);
+        const QRectF both = left.content().united(left_right.mapRect(right.content()));
         left.view->set_other_content(both);
         right.view->set_other_content(both);
         verdict_->setText(verdict());

@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "error_strip.hpp"
@@ -60,6 +61,7 @@ class CompareWindow final : public QDialog {
         Choice choice;
         std::shared_ptr<const KeptRun> run;  ///< shown; null before the first
         PathFigures figures;
+        std::optional<Pose> laid = Pose{};  ///< into the left one's frame; nothing: it is unknown
 
         const Trajectory& path() const { return choice.odometry ? run->odometry : run->path; }
     };
@@ -88,6 +90,7 @@ class CompareWindow final : public QDialog {
     enum class Of { all, present };
     void measure(Of which = Of::all);
     PathFigures figures_of(const Compared& of) const;
+    std::optional<Pose> laid_on_left(const Compared& of) const;
     QString problem_of(const Compared& of) const;
     static RunTrace reference_of(const Compared& of);
     RunTrace trace_of(std::size_t place, bool landmarks) const;

@@ -83,7 +83,6 @@ ErrorStrip::ErrorStrip(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
 
 /// A curve and a line of words for each.
 void ErrorStrip::make_curves(std::size_t count) {
-    auto* legend = qobject_cast<QCPLegend*>(rect_->insetLayout()->elementAt(0));
     while (curves_.size() > count) {
         plot_->removeGraph(curves_.back());  // with its entry of the legend
         curves_.pop_back();
@@ -93,7 +92,7 @@ void ErrorStrip::make_curves(std::size_t count) {
     while (curves_.size() < count) {
         QCPGraph* curve =
             plot_->addGraph(rect_->axis(QCPAxis::atBottom), rect_->axis(QCPAxis::atLeft));
-        curve->addToLegend(legend);
+        curve->addToLegend(legend_);
         curves_.push_back(curve);
         auto* words = new QLabel(this);
         words->setObjectName(QString("figures_%1").arg(words_.size()));
@@ -118,8 +117,8 @@ QWidget* ErrorStrip::make_tools() {
     aligned_ = new QCheckBox(tr("Aligned"), tools);
     aligned_->setObjectName("figures_aligned");
     aligned_->setToolTip(
-        tr("Each path is laid over the reference as well as possible, as for the "
-           "ATE; else so that the first poses agree"));
+        tr("Each path is laid over the reference as well as possible, as for the ATE, and the maps "
+           "over the left one likewise; else so that the first poses agree"));
     aligned_->setChecked(true);
     connect(aligned_, &QCheckBox::toggled, this, &ErrorStrip::alignment_changed);
     auto* picture = new QPushButton(tr("Save plot…"), tools);
@@ -132,17 +131,19 @@ QWidget* ErrorStrip::make_tools() {
 }
 
 void ErrorStrip::make_plot() {
-    constexpr int kHeight = 130;
+    constexpr int kHeight = 150;
     plot_->setFixedHeight(kHeight);
     plot_->plotLayout()->clear();
     plot_->plotLayout()->setRowSpacing(2);
     leave_menu_to_parent(*plot_);
     rect_ = add_titled_plot(*plot_, 0, 0, tr("Distance from the reference [m]"));
     for (QCPAxis* axis : rect_->axes()) axis->ticker()->setTickCount(4);
-    auto* legend = new QCPLegend;
-    rect_->insetLayout()->addElement(legend, Qt::AlignTop | Qt::AlignLeft);
-    legend->setLayer("legend");
-    legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    legend_ = new QCPLegend;  // below, where no curve is
+    plot_->plotLayout()->addElement(2, 0, legend_);
+    plot_->plotLayout()->setRowStretchFactor(2, 0.01);
+    legend_->setLayer("legend");
+    legend_->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    legend_->setMargins(QMargins(40, 0, 4, 2));
 }
 
 bool ErrorStrip::aligned() const {
@@ -160,7 +161,7 @@ void ErrorStrip::show_sides(std::vector<Side> sides) {
 }
 
 void ErrorStrip::draw() {
-    constexpr double kRoom = 1.35;  // with the legend
+    constexpr double kRoom = 1.1;
     const bool by_way = along_->currentIndex() == 1;
     double begin_s = std::numeric_limits<double>::infinity();
     for (const Side& side : sides_) {
@@ -201,11 +202,37 @@ void ErrorStrip::style(const Colours& c) {
     style_plot(*rect_, *title_of(*plot_, 0, 0), c, small);
     for (std::size_t side = 0; side < sides_.size(); ++side)
         curves_[side]->setPen(QPen(sides_[side].colour, kLine));
-    auto* legend = qobject_cast<QCPLegend*>(rect_->insetLayout()->elementAt(0));
-    legend->setBorderPen(Qt::NoPen);
-    legend->setBrush(c.chip);
-    legend->setFont(small);
-    legend->setTextColor(c.text);
+    legend_->setBorderPen(Qt::NoPen);
+    legend_->setBrush(Qt::NoBrush);
+    legend_->setFont(small);
+    legend_->setTextColor(c.text);
+    wrap_legend();
+}
+
+void ErrorStrip::show_legend(bool on) {
+    for (QCPGraph* curve : curves_)
+        on ? curve->addToLegend(legend_) : curve->removeFromLegend(legend_);
+}
+
+/// As many names beside each other as have room.
+void ErrorStrip::wrap_legend() {
+    constexpr int kAround = 60;  // of all
+    constexpr int kSign = 44;    // of each, with what is free beside it
+    const QFontMetrics metrics(legend_->font());
+    int widest = 1;
+    for (const Side& side : sides_)
+        widest = std::max(widest, metrics.horizontalAdvance(side.name) + kSign);
+    const int wrap = std::max(1, (plot_->width() - kAround) / widest);
+    if (legend_->wrap() == wrap) return;
+    legend_->setWrap(wrap);
+    // What is there already is laid out anew.
+    show_legend(false);
+    show_legend(true);
+}
+
+void ErrorStrip::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    wrap_legend();
 }
 
 std::vector<QPointF> ErrorStrip::curve(std::size_t side) const {
@@ -216,9 +243,12 @@ std::vector<QPointF> ErrorStrip::curve(std::size_t side) const {
 }
 
 Exportable ErrorStrip::exportable() {
-    return {tr("Path errors"), "path-errors", font(), {figure_of(*plot_, [this](const Colours& c) {
-                style(c);
-            })}};
+    return {
+        tr("Path errors"),
+        "path-errors",
+        font(),
+        {figure_of(
+            *plot_, [this](const Colours& c) { style(c); }, [this](bool on) { show_legend(on); })}};
 }
 
 void ErrorStrip::contextMenuEvent(QContextMenuEvent* event) {

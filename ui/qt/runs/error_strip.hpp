@@ -18,6 +18,7 @@ class QCheckBox;
 class QComboBox;
 class QCPAxisRect;
 class QCPGraph;
+class QCPLegend;
 class QCustomPlot;
 class QLabel;
 
@@ -65,12 +66,15 @@ class ErrorStrip final : public QWidget {
 
   protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     QWidget* make_tools();
     void make_plot();
     void make_curves(std::size_t count);
     void draw();
+    void show_legend(bool on);
+    void wrap_legend();
     void style(const Colours& colours);
     Exportable exportable();
 
@@ -79,6 +83,7 @@ class ErrorStrip final : public QWidget {
     QCheckBox* aligned_ = nullptr;
     QCustomPlot* plot_;
     QCPAxisRect* rect_ = nullptr;
+    QCPLegend* legend_ = nullptr;
     std::vector<QCPGraph*> curves_;
     std::vector<QLabel*> words_;
 };

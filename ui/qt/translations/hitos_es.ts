@@ -214,6 +214,10 @@
         <source>The sensor said which landmark it is.</source>
         <translation>El sensor ha dicho qué hito es.</translation>
     </message>
+    <message>
+        <source>New, then merged</source>
+        <translation>Nuevo, luego fundido</translation>
+    </message>
 </context>
 <context>
     <name>Disturbance</name>
@@ -2031,8 +2035,8 @@
         <translation>recinto: abierto, un rayo desde la salida a %1 grados no da con ninguna pared</translation>
     </message>
     <message>
-        <source>tour: none yet; it can be driven by hand, or given way_points</source>
-        <translation>recorrido: aún ninguno; se puede conducir a mano, o darle way_points</translation>
+        <source>tour: none yet; it can be driven by hand, or given way points</source>
+        <translation>recorrido: aún ninguno; se puede conducir a mano, o darle puntos de paso</translation>
     </message>
     <message>
         <source>tour: hits no wall</source>
@@ -4399,6 +4403,10 @@
         <source>Of a log that came in live: by how many of its first bytes was decided what has to be before the first scan, and its messages are taken as they were received; so it gives what the live run gave. 0: by all of it, in the order of its stamps.</source>
         <translation>De un registro que llegó en vivo: por cuántos de sus primeros bytes se decidió lo que hay que decidir antes del primer barrido, y sus mensajes se toman como se recibieron; así da lo que dio la ejecución en vivo. 0: por todo él, en el orden de sus instantes.</translation>
     </message>
+    <message>
+        <source>%1 (the left one alone)</source>
+        <translation>%1 (solo la izquierda)</translation>
+    </message>
 </context>
 <context>
     <name>ParameterChoice</name>
@@ -5332,7 +5340,7 @@
     </message>
     <message>
         <source>Line seen</source>
-        <translation>Línea vista</translation>
+        <translation>Recta vista</translation>
     </message>
     <message>
         <source>Known pose</source>
@@ -5914,6 +5922,14 @@
         <source>New from distance %1 on</source>
         <translation>Nuevo a partir de la distancia %1</translation>
     </message>
+    <message>
+        <source>It was merged with an older landmark then: it is none of its own.</source>
+        <translation>Después se fundió con un hito anterior: no es uno propio.</translation>
+    </message>
+    <message>
+        <source>Landmarks were merged at this scan: the numbers of those that it was compared with are of before.</source>
+        <translation>En este barrido se fundieron hitos: los números de aquellos con que se comparó son los de antes.</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::CandidateModel</name>
@@ -6053,6 +6069,10 @@
     <message>
         <source>Reference</source>
         <translation>Referencia</translation>
+    </message>
+    <message>
+        <source>%1 is not laid on the left one: it is of another log, or has none of its stamps.</source>
+        <translation>%1 no se superpone a la izquierda: es de otro registro, o no tiene ninguno de sus instantes.</translation>
     </message>
 </context>
 <context>
@@ -6638,6 +6658,14 @@
         <source>The tour stands still</source>
         <translation>El recorrido está parado</translation>
     </message>
+    <message>
+        <source>A wall is in the way: the Down key or S backs off, a click on the free side leads away.</source>
+        <translation>Una pared corta el paso: la flecha abajo o S da marcha atrás, un clic en el lado libre lo aleja.</translation>
+    </message>
+    <message>
+        <source>A wall is behind: the Up key or W drives on.</source>
+        <translation>Hay una pared detrás: la flecha arriba o W sigue adelante.</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::EditList</name>
@@ -6757,10 +6785,6 @@
         <translation>Alineadas</translation>
     </message>
     <message>
-        <source>Each path is laid over the reference as well as possible, as for the ATE; else so that the first poses agree</source>
-        <translation>Cada trayectoria se superpone a la referencia lo mejor posible, como para el ATE; si no, de modo que coincidan las primeras poses</translation>
-    </message>
-    <message>
         <source>Save plot…</source>
         <translation>Guardar gráfica…</translation>
     </message>
@@ -6791,6 +6815,10 @@
     <message>
         <source>%1: ATE %2 (RMSE, aligned), mean %3, greatest %4; heading %5 (RMSE)</source>
         <translation>%1: ATE %2 (RMSE, alineado), media %3, máximo %4; orientación %5 (RMSE)</translation>
+    </message>
+    <message>
+        <source>Each path is laid over the reference as well as possible, as for the ATE, and the maps over the left one likewise; else so that the first poses agree</source>
+        <translation>Cada trayectoria se superpone a la referencia lo mejor posible, como para el ATE, y los mapas al de la izquierda igualmente; si no, de modo que coincidan las primeras poses</translation>
     </message>
 </context>
 <context>
@@ -9697,7 +9725,7 @@
     <name>hitos::window::StudyRow</name>
     <message>
         <source>none</source>
-        <translation>ninguna</translation>
+        <translation>ninguno</translation>
     </message>
     <message>
         <source>%1 Allowed: %2. Now: %3.</source>

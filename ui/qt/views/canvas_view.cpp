@@ -195,7 +195,9 @@ std::vector<FigureOffer> CanvasView::figures() {
 Picture CanvasView::figure(bool whole, const FigureWish& wish) {
     FigureWish drawn = wish;
     drawn.layers = wish.layers & drawable();
-    const FigureFrame frame(drawn, font(), of_particles());
+    for (const LayerInfo& info : kLayerTable)
+        if (hidden().has(info.layer)) drawn.layers.set(info.layer, false);
+    const FigureFrame frame(drawn, font(), of_particles(), entries());
     const QMarginsF around = frame.around();
     const double wide = std::max(wish.points() - around.left() - around.right(), 1.0);
     const double band = wish.axes ? 0.0 : kScaleBand;  // of the scale bar
@@ -225,8 +227,13 @@ Picture CanvasView::figure(bool whole, const FigureWish& wish) {
         painter.scale(by, by);
         painter.fillRect(QRectF(QPointF(), size), wish.ground());
         painter.translate(frame.around().left(), frame.around().top());
-        const Scene scene{
-            camera.to_screen(inside), inside, camera.pixels_per_m, *wish.colours, true, !wish.axes};
+        const Scene scene{camera.to_screen(inside),
+                          inside,
+                          camera.pixels_per_m,
+                          *wish.colours,
+                          true,
+                          !wish.axes,
+                          !wish.as_seen};
         painter.save();
         painter.setClipRect(QRectF(QPointF(), inside));
         const LayerSet before = std::exchange(layers_, wish.layers);

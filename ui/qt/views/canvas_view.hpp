@@ -84,6 +84,10 @@ class CanvasView : public QWidget {
     virtual QString file_name() const = 0;
     /// The layers that there is something of to draw.
     virtual LayerSet drawable() const { return {}; }
+    /// Those that nothing is seen of, because the same is drawn over it in another colour.
+    virtual LayerSet hidden() const { return {}; }
+    /// What the legend of its figures has besides layers.
+    virtual std::vector<FigureEntry> entries() const { return {}; }
     /// Whether several hypotheses are drawn: layers have other names.
     virtual bool of_particles() const { return false; }
     /// The landmark below a point of the view's frame, as it is in the world.

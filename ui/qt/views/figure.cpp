@@ -26,6 +26,7 @@ Picture FigureOffer::as_seen(double scale) const {
     FigureWish wish;
     wish.width_mm = width * kMmPerPoint;
     wish.layers = shown;
+    wish.as_seen = true;
     Picture seen = picture(wish);
     seen.scale = scale;
     return seen;
@@ -40,7 +41,8 @@ QString figure_number(double value) {
     return words.replace('-', QChar(0x2212));
 }
 
-FigureFrame::FigureFrame(FigureWish wish, const QFont& font, bool particles)
+FigureFrame::FigureFrame(FigureWish wish, const QFont& font, bool particles,
+                         std::vector<FigureEntry> own)
     : wish_(std::move(wish)), metrics_(font) {
     const double line = metrics_.height();
     if (!wish_.title.isEmpty()) around_.setTop(line + 2.0 * kSpace);
@@ -52,23 +54,34 @@ FigureFrame::FigureFrame(FigureWish wish, const QFont& font, bool particles)
         around_.setLeft(kTick + 3.0 * kSpace + line +
                         metrics_.horizontalAdvance(figure_number(-88.8)));
     }
-    if (wish_.legend) lay_out_legend(particles);
+    if (wish_.legend) lay_out_legend(particles, std::move(own));
+}
+
+double FigureFrame::width_of(const FigureEntry& entry) const {
+    return entry.paint ? entry.width : kSign + kSpace + metrics_.horizontalAdvance(entry.name);
 }
 
 /// Row by row below everything else, so that it covers nothing.
-void FigureFrame::lay_out_legend(bool particles) {
+void FigureFrame::lay_out_legend(bool particles, std::vector<FigureEntry> own) {
     const double row = std::max(metrics_.height(), kSign) + kSpace;
     QPointF at(around_.left(), kSpace);
+    const auto add = [&](const LayerInfo* layer, FigureEntry entry) {
+        const double room = wish_.points() - around_.left();
+        if (!entry.paint && width_of(entry) > room) {  // a long name gives way, not its colour
+            entry.name = metrics_.elidedText(entry.name, Qt::ElideMiddle,
+                                             std::max(room - kSign - kSpace, 0.0));
+        }
+        const double width = width_of(entry);
+        if (at.x() > around_.left() && at.x() + width > wish_.points())
+            at = {around_.left(), at.y() + row};
+        legend_.push_back({layer, std::move(entry), at});
+        at.rx() += width + kEntryGap;
+    };
     for (const LayerInfo& info : kLayerTable) {
         const QString name = layer_name(info, particles);
-        if (name.isEmpty() || !wish_.layers.has(info.layer)) continue;
-        const double width = kSign + kSpace + metrics_.horizontalAdvance(name);
-        if (at.x() > around_.left() && at.x() + width > wish_.points()) {
-            at = {around_.left(), at.y() + row};
-        }
-        legend_.push_back({&info, name, at});
-        at.rx() += width + kEntryGap;
+        if (!name.isEmpty() && wish_.layers.has(info.layer)) add(&info, {name});
     }
+    for (FigureEntry& entry : own) add(nullptr, std::move(entry));
     if (!legend_.empty()) around_.setBottom(around_.bottom() + at.y() + row);
 }
 
@@ -101,12 +114,20 @@ void FigureFrame::paint(QPainter& painter, const Scene& scene, const Colours& la
     for (const Entry& entry : legend_) {
         const QPointF at(entry.at.x() - around_.left(), top + entry.at.y());
         painter.save();
-        painter.translate(at.x(), at.y() + (row - kSign) / 2.0);
-        paint_sign(painter, *entry.layer, layers.*(entry.layer->colour));
+        if (entry.own.paint) {
+            entry.own.paint(painter, QRectF(at, QSizeF(entry.own.width, row)));
+        } else if (entry.layer == nullptr) {
+            painter.setPen(thin_pen(entry.own.colour, 2.4));
+            const double middle = at.y() + row / 2.0;
+            painter.drawLine(QLineF(at.x() + 2.0, middle, at.x() + kSign - 2.0, middle));
+        } else {
+            painter.translate(at.x(), at.y() + (row - kSign) / 2.0);
+            paint_sign(painter, *entry.layer, layers.*(entry.layer->colour));
+        }
         painter.restore();
         painter.setPen(scene.colours.text);
         painter.drawText(QRectF(at.x() + kSign + kSpace, at.y(), width, row),
-                         Qt::AlignLeft | Qt::AlignVCenter, entry.name);
+                         Qt::AlignLeft | Qt::AlignVCenter, entry.own.name);
     }
 }
 

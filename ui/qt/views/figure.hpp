@@ -20,7 +20,8 @@ struct FigureWish {
     double mm_per_point = kMmPerPoint;  ///< how large a point of the screen gets
     bool legend = false;
     bool axes = false;
-    QString title = {};  ///< above it; empty: none
+    QString title = {};    ///< above it; empty: none
+    bool as_seen = false;  ///< with what legend the view has inside on the screen
     LayerSet layers = {};
     const Colours* colours = &light_colours();
 
@@ -61,10 +62,20 @@ struct Exportable {
     std::vector<FigureOffer> offers;
 };
 
+/// What a legend has besides layers: a name with a stroke of its colour, or something that is drawn
+/// `width` points wide.
+struct FigureEntry {
+    QString name;
+    QColor colour = {};
+    double width = 0.0;
+    std::function<void(QPainter&, const QRectF&)> paint = {};
+};
+
 /// What stands round the inside of a figure, in its points.
 class FigureFrame {
   public:
-    FigureFrame(FigureWish wish, const QFont& font, bool particles);
+    FigureFrame(FigureWish wish, const QFont& font, bool particles,
+                std::vector<FigureEntry> own = {});
 
     /// Of title, axes and legend.
     const QMarginsF& around() const { return around_; }
@@ -74,13 +85,14 @@ class FigureFrame {
 
   private:
     void paint_axis(QPainter& painter, const Scene& scene, bool upright) const;
-    void lay_out_legend(bool particles);
+    void lay_out_legend(bool particles, std::vector<FigureEntry> own);
 
     struct Entry {
-        const LayerInfo* layer;
-        QString name;
+        const LayerInfo* layer;  ///< null where it is none of a layer
+        FigureEntry own;
         QPointF at;  ///< from the legend's upper left corner
     };
+    double width_of(const FigureEntry& entry) const;
     FigureWish wish_;
     QFontMetricsF metrics_;
     QMarginsF around_;

@@ -13,83 +13,6 @@
 namespace hitos::window {
 namespace {
 
-/// The path in its colour, and on it how far it is off.
-void draw_errors(QPainter& painter, const Scene& scene, const RunTrace& trace) {
-    constexpr double kLeastPixels = 3.0;
-    draw_path(painter, scene, trace.path, thin_pen(trace.colour, 5.0), trace.begins);
-    std::optional<QPointF> last;
-    for (std::size_t i = 0; i < trace.path.size(); ++i) {
-        const QPointF pixel = scene.to_screen.map(trace.path[i]);
-        if (std::ranges::binary_search(trace.begins, i)) last.reset();
-        if (last && QLineF(*last, pixel).length() < kLeastPixels) continue;
-        if (last && std::isfinite(trace.errors_m[i])) {
-            const double share = trace.errors_m[i] / std::max(trace.greatest_m, 1e-9);
-            painter.setPen(thin_pen(heat_colour(share), 2.6));
-            painter.drawLine(*last, pixel);
-        }
-        last = pixel;
-    }
-}
-
-/// Its two ends in metres beside it.
-void draw_error_scale(QPainter& painter, const QRectF& row, double greatest_m) {
-    constexpr double kGap = 6.0;
-    constexpr double kThick = 8.0;
-    const QString least = QStringLiteral("0");
-    const QString greatest = metre_words(greatest_m);
-    const QFontMetricsF metrics(painter.font());
-    const QRectF bar(
-        row.left() + metrics.horizontalAdvance(least) + kGap, row.center().y() - kThick / 2.0,
-        row.width() - metrics.horizontalAdvance(least + greatest) - 2.0 * kGap, kThick);
-    QLinearGradient gradient(bar.topLeft(), bar.topRight());
-    constexpr int kStops = 8;
-    for (int i = 0; i <= kStops; ++i) {
-        const double share = static_cast<double>(i) / kStops;
-        gradient.setColorAt(share, heat_colour(share));
-    }
-    painter.setPen(light_colours().text);
-    painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, least);
-    painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, greatest);
-    painter.setPen(Qt::NoPen);
-    painter.fillRect(bar, gradient);
-}
-
-/// In the upper left corner: what each colour stands for.
-void draw_legend(QPainter& painter, const std::vector<RunTrace>& traces) {
-    if (traces.empty()) return;
-    constexpr double kMargin = 8.0;
-    constexpr double kStroke = 22.0;
-    constexpr double kScale = 130.0;
-    const QFontMetricsF metrics(painter.font());
-    const auto coloured =
-        std::ranges::find_if(traces, [](const RunTrace& trace) { return !trace.errors_m.empty(); });
-    const bool scale = coloured != traces.end();
-    double width = scale ? kScale : 0.0;
-    for (const RunTrace& trace : traces)
-        width = std::max(width, metrics.horizontalAdvance(trace.name));
-    const double height = metrics.height() * static_cast<double>(traces.size() + (scale ? 1 : 0));
-    const Colours& paper = light_colours();
-    painter.setPen(thin_pen(paper.border));
-    painter.setBrush(faded(paper.card, 225));
-    painter.drawRoundedRect(
-        QRectF(kMargin, kMargin, width + kStroke + 3.0 * kMargin, height + kMargin), 5.0, 5.0);
-    double y = 1.5 * kMargin + metrics.height() / 2.0;
-    for (const RunTrace& trace : traces) {
-        painter.setPen(thin_pen(trace.colour, 2.4));
-        painter.drawLine(QLineF(2.0 * kMargin, y, 2.0 * kMargin + kStroke, y));
-        painter.setPen(paper.text);
-        painter.drawText(
-            QPointF(3.0 * kMargin + kStroke, y + metrics.ascent() - metrics.height() / 2.0),
-            trace.name);
-        y += metrics.height();
-    }
-    if (!scale) return;
-    draw_error_scale(painter,
-                     QRectF(2.0 * kMargin, y - metrics.height() / 2.0, width + kStroke + kMargin,
-                            metrics.height()),
-                     coloured->greatest_m);
-}
-
 constexpr double kPaperWidth = 85.0;  // mm
 
 /// The figure that a run's results have.
@@ -154,7 +77,8 @@ void GridView::set_grid(const GridTiles& tiles, const Trajectory& path) {
     layer_.set_tiles(tiles_);
     path_ = points_of(path);
     begins_ = begins_of(path);
-    content_changed(path_.empty() ? std::nullopt : std::optional<QPointF>(path_.back()));
+    content_changed(path_.empty() ? std::nullopt
+                                  : std::optional<QPointF>(view_world().map(path_.back())));
 }
 
 void GridView::set_landmarks(const MarkedMap& landmarks) {
@@ -194,6 +118,24 @@ void GridView::set_traces(std::vector<RunTrace> traces) {
     content_changed();
 }
 
+void GridView::set_frame(const Pose& pose_view_world) {
+    if (pose_view_world == pose_view_world_) return;
+    pose_view_world_ = pose_view_world;
+    content_changed();
+}
+
+QTransform GridView::view_world() const {
+    QTransform turned;
+    if (pose_view_world_ == Pose{}) return turned;
+    turned.translate(pose_view_world_.x, pose_view_world_.y);
+    turned.rotateRadians(pose_view_world_.theta);
+    return turned;
+}
+
+QPointF GridView::in_world(const QPointF& point) const {
+    return view_world().inverted().map(point);
+}
+
 void GridView::set_other_content(const QRectF& box) {
     if (box == other_content_) return;
     other_content_ = box;
@@ -201,15 +143,18 @@ void GridView::set_other_content(const QRectF& box) {
 }
 
 QRectF GridView::content() const {
-    QRectF box = layer_.bounds().united(other_content_);
+    QRectF box = layer_.bounds();
     for (const RunTrace& trace : traces_) box = box.united(box_of(trace.path));
-    if (!only_landmarks()) return box;
+    const auto in_view = [&](const QRectF& own) {
+        return (own.isNull() ? own : view_world().mapRect(own)).united(other_content_);
+    };
+    if (!only_landmarks()) return in_view(box);
     constexpr double kAround = 0.5;  // [m]
     for (const ICaracteristica& landmark : landmarks_.map) {
         const Point2 at = landmark.point();
         box = box.united(QRectF(at.x - kAround, at.y - kAround, 2.0 * kAround, 2.0 * kAround));
     }
-    return box.united(box_of(path_));
+    return in_view(box.united(box_of(path_)));
 }
 
 bool GridView::only_landmarks() const {
@@ -236,6 +181,18 @@ LayerSet GridView::drawable() const {
     return layers;
 }
 
+LayerSet GridView::hidden() const {
+    LayerSet layers;
+    layers.set(Layer::path, std::ranges::any_of(traces_, [this](const RunTrace& trace) {
+                   return !path_.empty() && trace.path == path_;
+               }));
+    return layers;
+}
+
+std::vector<FigureEntry> GridView::entries() const {
+    return entries_of(traces_);
+}
+
 std::vector<FigureOffer> GridView::figures() {
     std::vector<FigureOffer> offers = CanvasView::figures();
     if (!snapshot_) return offers;
@@ -255,7 +212,14 @@ double GridView::whole_pixels_per_m() const {
     return tiles_.empty() ? 20.0 : 1.0 / tiles_.resolution_m;
 }
 
-void GridView::paint_scene(QPainter& painter, const Scene& scene) const {
+void GridView::paint_scene(QPainter& painter, const Scene& view) const {
+    const Scene scene{view_world() * view.to_screen,
+                      view.size,
+                      view.pixels_per_m,
+                      view.colours,
+                      view.chrome,
+                      view.scale_bar,
+                      view.framed};
     // What lies out of the grid is as unknown as what it holds of it.
     const int unknown = shade_of(kUnknownGrey, scene.colours.dark);
     painter.fillRect(QRectF(QPointF(), scene.size), QColor(unknown, unknown, unknown));
@@ -322,7 +286,7 @@ void GridView::paint_traces(QPainter& painter, const Scene& scene) const {
             draw_errors(painter, scene, trace);
         }
     }
-    if (scene.chrome) draw_legend(painter, traces_);
+    if (scene.chrome && !scene.framed) draw_legend(painter, scene, traces_, landmarks_);
 }
 
 /// The keys of registration's graph, and each closed loop as an edge between its two passages.
@@ -407,8 +371,8 @@ void GridView::paint_marks(QPainter& painter, const Scene& scene) const {
 void GridView::hover(std::optional<QPointF> point) {
     int found = -1;
     if (point) {
-        found = landmark_at(landmarks_, {point->x(), point->y()}, tolerance_m());
-        hovered_at_m_ = *point;
+        hovered_at_m_ = in_world(*point);
+        found = landmark_at(landmarks_, {hovered_at_m_.x(), hovered_at_m_.y()}, tolerance_m());
     }
     if (found < 0 && hovered_ < 0) return;
     hovered_ = found;
@@ -416,7 +380,8 @@ void GridView::hover(std::optional<QPointF> point) {
 }
 
 std::optional<ICaracteristica> GridView::landmark_below(const QPointF& point) const {
-    const int found = landmark_at(landmarks_, {point.x(), point.y()}, tolerance_m());
+    const QPointF own = in_world(point);
+    const int found = landmark_at(landmarks_, {own.x(), own.y()}, tolerance_m());
     if (found < 0) return std::nullopt;
     return landmarks_.map[static_cast<std::size_t>(found)];
 }
@@ -424,8 +389,8 @@ std::optional<ICaracteristica> GridView::landmark_below(const QPointF& point) co
 void GridView::click(const QPointF& point) {
     const auto landmark = landmark_below(point);
     emit landmark_clicked({landmark});
-    if (!landmark) emit loop_clicked(loop_below(point));
-    emit place_clicked(point);
+    if (!landmark) emit loop_clicked(loop_below(in_world(point)));
+    emit place_clicked(in_world(point));
 }
 
 QString GridView::empty_text() const {

@@ -12,21 +12,9 @@
 #include "hitos/services/run/run_worker.hpp"
 #include "landmark_painter.hpp"
 #include "layers.hpp"
+#include "run_trace.hpp"
 
 namespace hitos::window {
-
-/// What of another run is drawn over a grid, all in the world's frame.
-struct RunTrace {
-    QString name;
-    QColor colour;
-    std::vector<QPointF> path;
-    MarkedMap landmarks;  ///< may have none
-    /// How far each point of the path is off [m], where it is coloured by that; not a number where
-    /// it is not known.
-    std::vector<double> errors_m = {};
-    double greatest_m = 0.0;               ///< end of the scale of colours
-    std::vector<std::size_t> begins = {};  ///< points of the path to which no way leads
-};
 
 /// A grid map in the world's frame: that of a snapshot, or one that a builder makes.
 class GridView final : public CanvasView {
@@ -36,6 +24,7 @@ class GridView final : public CanvasView {
     explicit GridView(QWidget* parent = nullptr);
 
     const GridTiles& tiles() const { return tiles_; }
+    const std::vector<hitos::window::RunTrace>& traces() const { return traces_; }
 
     void set_snapshot(const std::shared_ptr<const Snapshot>& snapshot);
     /// Shows a grid that is not of a snapshot, with the path it was made along.
@@ -51,7 +40,9 @@ class GridView final : public CanvasView {
     void set_reference_path(const Trajectory& path_world);
     /// Drawn over everything else, with a legend.
     void set_traces(std::vector<hitos::window::RunTrace> traces);
-    /// Counts as content too [m], so that views of two runs fit alike.
+    /// Shows all that is in the world's frame where it lies in another one, which is the view's.
+    void set_frame(const Pose& pose_view_world);
+    /// Counts as content too [m], in the view's frame, so that views of two runs fit alike.
     void set_other_content(const QRectF& box);
 
     /// And the map as a figure for papers, as a run's results have it.
@@ -64,12 +55,15 @@ class GridView final : public CanvasView {
     void place_clicked(QPointF world_m);
 
   protected:
-    void paint_scene(QPainter& painter, const Scene& scene) const override;
+    void paint_scene(QPainter& painter, const Scene& view) const override;
+    Pose pose_view_world() const override { return pose_view_world_; }
     const Colours& layer_colours(const Colours& /*screen*/) const override {
         return light_colours();
     }
     QString file_name() const override { return QStringLiteral("map"); }
     LayerSet drawable() const override;
+    LayerSet hidden() const override;
+    std::vector<FigureEntry> entries() const override;
     QRectF content() const override;
     bool of_particles() const override { return snapshot_ && snapshot_->hypotheses.size() > 1; }
     double whole_pixels_per_m() const override;
@@ -79,6 +73,8 @@ class GridView final : public CanvasView {
     QString empty_text() const override;
 
   private:
+    QTransform view_world() const;
+    QPointF in_world(const QPointF& point) const;
     /// Whether there is no grid but landmarks, as of a tour without a laser.
     bool only_landmarks() const;
     void paint_traces(QPainter& painter, const Scene& scene) const;
@@ -103,6 +99,7 @@ class GridView final : public CanvasView {
     std::optional<LandmarkMap> reference_map_;
     std::vector<RunTrace> traces_;
     QRectF other_content_;
+    Pose pose_view_world_;
     MarkedMap landmarks_;
     PickedLandmark highlight_;
     std::optional<RunLoop> loop_;

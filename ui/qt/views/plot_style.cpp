@@ -3,7 +3,10 @@
 
 #include <qcustomplot.h>
 
+#include <QPicture>
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace hitos::window {
 
@@ -34,20 +37,55 @@ QFont plot_font(const QFont& words) {
     return font;
 }
 
-FigureOffer figure_of(QCustomPlot& plot, std::function<void(const Colours&)> style) {
+namespace {
+
+constexpr double kLeastHigh = 150.0;  // points of a figure, where the plot is as high
+
+/// Draws it with no more numbers along upright axes than have room there.
+void draw_plot(QCustomPlot& plot, QCPPainter& painter, const QSize& size) {
+    constexpr double kLinesEach = 2.0;
+    QPicture measured;  // laid out, and drawn nowhere
+    {
+        QCPPainter nowhere(&measured);
+        plot.toPainter(&nowhere, size.width(), size.height());
+    }
+    std::vector<std::pair<QCPAxis*, int>> before;
+    for (QCPAxisRect* rect : plot.axisRects()) {
+        for (QCPAxis* axis : rect->axes(QCPAxis::atLeft | QCPAxis::atRight)) {
+            const double line = QFontMetricsF(axis->tickLabelFont()).height();
+            const int room = static_cast<int>(rect->height() / (kLinesEach * line));
+            const int wanted = axis->ticker()->tickCount();
+            if (room >= wanted) continue;
+            before.emplace_back(axis, wanted);
+            axis->ticker()->setTickCount(std::max(room, 1));
+        }
+    }
+    plot.toPainter(&painter, size.width(), size.height());
+    for (const auto& [axis, count] : before) axis->ticker()->setTickCount(count);
+}
+
+}  // namespace
+
+FigureOffer figure_of(QCustomPlot& plot, std::function<void(const Colours&)> style,
+                      std::function<void(bool)> show_legend) {
     constexpr double kPage = 170.0;  // mm
     FigureOffer offer;
     offer.width = plot.width();
     offer.paper_mm = kPage;
-    offer.picture = [&plot, style = std::move(style)](const FigureWish& wish) {
-        const double high = wish.points() * plot.height() / plot.width();
+    offer.legend = show_legend != nullptr;
+    offer.picture = [&plot, style = std::move(style),
+                     show_legend = std::move(show_legend)](const FigureWish& wish) {
+        const double high = std::max(wish.points() * plot.height() / plot.width(),
+                                     std::min(kLeastHigh, static_cast<double>(plot.height())));
         const double top = FigureFrame(wish, plot.font(), false).around().top();
         Picture picture;
         picture.size = QSizeF(wish.points(), high + top);
         picture.mm_per_point = wish.mm_per_point;
         picture.ground = wish.ground();
-        picture.paint = [&plot, style, wish, top, high](QPaintDevice& device, double by) {
+        picture.paint = [&plot, style, show_legend, wish, top, high](QPaintDevice& device,
+                                                                     double by) {
             style(*wish.colours);
+            if (show_legend) show_legend(wish.legend || wish.as_seen);
             QCPPainter painter(&device);
             painter.setMode(QCPPainter::pmVectorized);
             painter.setFont(plot.font());
@@ -57,7 +95,8 @@ FigureOffer figure_of(QCustomPlot& plot, std::function<void(const Colours&)> sty
             FigureFrame(wish, plot.font(), false)
                 .paint(painter, {{}, QSizeF(wish.points(), high), 1.0, *wish.colours},
                        *wish.colours);
-            plot.toPainter(&painter, qRound(wish.points()), qRound(high));
+            draw_plot(plot, painter, {qRound(wish.points()), qRound(high)});
+            if (show_legend) show_legend(true);
             style(colours());
         };
         return picture;

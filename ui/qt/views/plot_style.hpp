@@ -23,8 +23,11 @@ QCPTextElement* title_of(QCustomPlot& plot, int row, int column);
 void leave_menu_to_parent(QCustomPlot& plot);
 /// The letters of titles and axes beside words in this font.
 QFont plot_font(const QFont& words);
-/// The plots as a figure as wide as is wished and of the same shape; `style` gives them colours.
-FigureOffer figure_of(QCustomPlot& plot, std::function<void(const Colours&)> style);
+/// The plots as a figure as wide as is wished and of the same shape, but never lower than letters
+/// need; `style` gives them colours. Where they have a legend that can be left out,
+/// `show_legend` does so.
+FigureOffer figure_of(QCustomPlot& plot, std::function<void(const Colours&)> style,
+                      std::function<void(bool)> show_legend = {});
 void style_plot(QCPAxisRect& rect, QCPTextElement& title, const Colours& colours,
                 const QFont& font);
 

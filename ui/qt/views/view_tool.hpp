@@ -22,6 +22,7 @@ struct Scene {
     const Colours& colours;
     bool chrome = true;     ///< with scale bar and legends
     bool scale_bar = true;  ///< where there is no axis
+    bool framed = false;    ///< what would be explained inside is so round it, or not at all
 };
 
 /// A place of the world that the user points at, and the landmark there if it counts.
