@@ -67,6 +67,17 @@ TEST_F(GraphCommand, MarksWhatIsOff) {
     EXPECT_THAT(content(path("out/graph.svg")), HasSubstr("the 7 edges of the greatest errors"));
 }
 
+TEST_F(GraphCommand, DoubtsDegreesAndEdgesThatAreFarFromWhatTheySay) {
+    EXPECT_THAT(call(square()).output, Not(HasSubstr("warning: solved")));
+    std::string degrees = kSquare;
+    for (std::size_t at = 0; (at = degrees.find("1.5707963267948966", at)) != std::string::npos;)
+        degrees.replace(at, 18, "90");
+    const std::string told = call(file("degrees.g2o", degrees)).output;
+    EXPECT_THAT(told, HasSubstr("warning: 4 edges turn (of 6 edges) by more than a whole turn"));
+    EXPECT_THAT(told, HasSubstr("are these degrees?"));
+    EXPECT_THAT(told, HasSubstr("times what their information says"));
+}
+
 TEST_F(GraphCommand, WritesTheSameBytesAgain) {
     call(square() + " --out " + path("one"));
     call(square() + " --out " + path("two"));

@@ -80,6 +80,34 @@ TEST_F(LoopsTest, EveryPlaceIsARowAndJudgedByTheReference) {
     EXPECT_EQ(content("measured/loops.csv"), content("out/loops.csv"));
 }
 
+TEST_F(LoopsTest, NoneIsFalseByAMirroredReference) {
+    std::string mirrored;
+    for (const std::string& line : lines_of(content("truth.tum"))) {
+        std::istringstream words(line);
+        std::string t;
+        double x = 0.0;
+        double y = 0.0;
+        std::string rest;
+        words >> t >> x >> y;
+        std::getline(words, rest);
+        mirrored += fmt::format("{} {} {}{}\n", t, x, -y, rest);
+    }
+    const std::string reference = " --reference-trajectory " + file("mirrored.tum", mirrored);
+    const test::Outcome told = run("out", reference);
+    ASSERT_EQ(told.status, 0) << told.output;
+    EXPECT_THAT(told.output, HasSubstr("warning: The reference trajectory is a mirror image"));
+    EXPECT_THAT(told.output, Not(HasSubstr("them false")));
+    const json quality = quality_of("out");
+    ASSERT_FALSE(quality["loops"].empty());
+    EXPECT_FALSE(quality.contains("loops_false"));
+    const test::Outcome evaluated = test::shell(cli_ + " evaluate " + path("out") + reference);
+    ASSERT_EQ(evaluated.status, 0) << evaluated.output;
+    EXPECT_THAT(evaluated.output, HasSubstr("mirror image"));
+    EXPECT_THAT(evaluated.output, HasSubstr("loops_judged 0"));
+    const test::Outcome compared = test::shell(cli_ + " compare " + path("out"));
+    EXPECT_THAT(compared.output, HasSubstr("warning: out: The reference trajectory is a mirror"));
+}
+
 TEST_F(LoopsTest, WhereNoneIsClosedThoseThatWereRefusedAreJudged) {
     std::string refusals;
     for (int closed = -1; closed != 0;) {

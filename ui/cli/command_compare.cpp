@@ -106,6 +106,10 @@ void compare(const CompareOptions& options) {
         write_file(options.out, text);
     }
     report.object() = parsed_object(comparison_json(comparison));
+    for (const ComparedRun& one : comparison.runs) {
+        for (const std::string& doubt : one.run.reference_doubts)
+            report.warn(fmt::format("{}: {}", one.name, doubt));
+    }
     report.end();
 }
 

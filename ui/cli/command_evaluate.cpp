@@ -196,7 +196,9 @@ void tell_crispness(Report& report, const std::string& before, const PathCrispne
 void evaluate_loops(const EvaluateOptions& options, Report& report) {
     KeptRun run = read_results(options.run);
     if (!needs_registration(run.configuration.filter)) return;
-    judge_loops(run.loops, read_trajectory(options.reference_trajectory), options.tolerance_s);
+    const Trajectory reference = read_trajectory(options.reference_trajectory);
+    if (!doubt_of_shape(run.path, reference, options.tolerance_s))
+        judge_loops(run.loops, reference, options.tolerance_s);
     const LoopPrecision precision = precision_of(run.loops);
     report.count("loops_judged", precision.judged);
     if (precision.judged > 0) {

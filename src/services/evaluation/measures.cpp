@@ -222,7 +222,11 @@ std::optional<AlignedMapError> aligned_map_error(const LandmarkMap& map,
         pairs = std::move(next);
         if (settled) break;
     }
-    return AlignedMapError{pose, *error_of(pairs, map, reference)};
+    const AlignedMapError aligned{pose, *error_of(pairs, map, reference)};
+    // Squares were lowered, of pairs that a wrong reference leaves far apart; the mean may not be.
+    const auto there = map_error(map, reference);
+    if (there && there->mean_m < aligned.error.mean_m) return AlignedMapError{Pose{}, *there};
+    return aligned;
 }
 
 std::optional<TrajectoryError> trajectory_error(const Trajectory& estimate,

@@ -19,8 +19,6 @@ constexpr std::size_t kFewest = 3;   // poses: two fit any two others but for th
 constexpr double kLeastShare = 0.1;  // of the path's time
 constexpr double kByChance = 0.1;    // of the stamps of two clocks some agree,
 constexpr std::size_t kFew = 10;     // but not many
-// [m] A landmark further away is none of the reference's; docs/evaluation.md has errors of maps.
-constexpr double kReach = 1.0;
 
 /// The earliest and the latest stamp [s]; whoever calls has one that is finite.
 std::pair<double, double> times_of(const Trajectory& path) {
@@ -36,6 +34,7 @@ std::pair<double, double> times_of(const Trajectory& path) {
 }  // namespace
 
 std::optional<Advice> ReferenceFit::doubt() const {
+    if (shape) return shape;
     if (2 * common >= poses) return std::nullopt;
     return Advice{HITOS_TEXT("Advice",
                              "The reference trajectory tells of less than half of the scans (%1), "
@@ -46,7 +45,7 @@ std::optional<Advice> ReferenceFit::doubt() const {
 
 ReferenceFit fit_of_reference(const Trajectory& path, const Trajectory& reference,
                               double tolerance_s) {
-    const ReferenceFit fit{path.size(), matched_by_stamp(path, reference, tolerance_s).size()};
+    ReferenceFit fit{path.size(), matched_by_stamp(path, reference, tolerance_s).size()};
     const auto [from, to] = times_of(path);
     const auto [other_from, other_to] = times_of(reference);
     const double begin = std::max(from, other_from);
@@ -59,7 +58,10 @@ ReferenceFit fit_of_reference(const Trajectory& path, const Trajectory& referenc
     };
     const auto most = static_cast<double>(std::min(meanwhile(path), meanwhile(reference)));
     const bool by_chance = fit.common < kFew && static_cast<double>(fit.common) < kByChance * most;
-    if (fit.common >= std::min(kFewest, fit.poses) && !brief && !by_chance) return fit;
+    if (fit.common >= std::min(kFewest, fit.poses) && !brief && !by_chance) {
+        fit.shape = doubt_of_shape(path, reference, tolerance_s);
+        return fit;
+    }
     const auto seconds = [](double time_s) { return fmt::format("{:.3f}", time_s); };
     throw Error(message(
         HITOS_TEXT("Errors",
@@ -81,33 +83,6 @@ ReferenceFit fit_of_reference(const TourReader& tour, const Trajectory& referenc
     }
     if (stamps.empty()) return {};  // whoever runs it says so
     return fit_of_reference(stamps, reference, tolerance_s);
-}
-
-std::optional<Advice> doubt_of_map(const LandmarkMap& map, const LandmarkMap& reference) {
-    if (map.empty()) return std::nullopt;
-    std::size_t near = 0;
-    std::size_t all = 0;  // of a kind that the reference has
-    // Maps whose landmarks have names need not have their frame in common.
-    Pose pose;
-    const bool identities = have_identities(map, reference);
-    if (identities) {
-        if (const auto aligned = aligned_map_error(map, reference))
-            pose = aligned->pose_reference_map;
-    }
-    for (const ICaracteristica& landmark : map) {
-        if (identities && landmark.identity < 0) continue;
-        const auto error = map_error({transform(pose, landmark)}, reference);
-        if (!error) continue;
-        ++all;
-        if (error->mean_m <= kReach) ++near;
-    }
-    if (all > 0 && 2 * near >= all) return std::nullopt;
-    return Advice{HITOS_TEXT("Advice",
-                             "Less than half of the landmarks lie within a metre of one of the "
-                             "reference map (%1): is it of this place, and in the frame of the "
-                             "robot's start?"),
-                  fmt::format("{}/{}", near, all > 0 ? all : map.size()),
-                  {}};
 }
 
 }  // namespace hitos

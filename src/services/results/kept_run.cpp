@@ -56,6 +56,8 @@ bool read_summary(const std::filesystem::path& folder, KeptRun& run) {
         run.finished = summary.value("finished", true);
         run.seconds = summary.at("run_seconds").get<double>();
         run.figures = figures_in(summary);
+        if (summary.contains("reference_doubts"))
+            summary.at("reference_doubts").get_to(run.reference_doubts);
         expect_unchanged(summary, folder);
         const nlohmann::json& counts = summary.at("landmarks");
         const bool landmarks = whole_number<int>(counts, "lines", file) > 0 ||

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -243,8 +244,12 @@ RunSummary summary_of(const Algoritmo& run, const LandmarkMap& map, const Trajec
     summary.advice = run.advice();
     summary.quality = judge(run.evidence(), path, stop);
     static_cast<RunErrors&>(summary) = errors_of(run, map, path, references);
-    if (references.trajectory)
-        judge_loops(summary.quality.loops, *references.trajectory, references.tolerance_s);
+    std::optional<Advice> shape;
+    if (references.trajectory) {
+        shape = doubt_of_shape(path, *references.trajectory, references.tolerance_s);
+        if (!shape)
+            judge_loops(summary.quality.loops, *references.trajectory, references.tolerance_s);
+    }
     summary.figures = figures_of({run.evidence(), run.filter(), map, path, summary, nullptr,
                                   summary.quality.registration ? &summary.quality.loops : nullptr});
     summary.distances = measure_distances(map, references.distances);
@@ -270,15 +275,17 @@ RunSummary summary_of(const Algoritmo& run, const LandmarkMap& map, const Trajec
                  {}});
         } else if (const auto doubt =
                        ReferenceFit{summary.scans,
-                                    static_cast<std::size_t>(summary.trajectory_error->poses)}
+                                    static_cast<std::size_t>(summary.trajectory_error->poses),
+                                    shape}
                            .doubt()) {
-            summary.quality.warnings.push_back(*doubt);
+            summary.reference_doubts.push_back(*doubt);
         }
     }
     if (references.map) {
         if (const auto doubt = doubt_of_map(map, *references.map))
-            summary.quality.warnings.push_back(*doubt);
+            summary.reference_doubts.push_back(*doubt);
     }
+    std::ranges::copy(summary.reference_doubts, std::back_inserter(summary.quality.warnings));
     return summary;
 }
 
@@ -323,6 +330,8 @@ std::string to_json(const RunSummary& summary, double seconds) {
     for (const Advice& advice : summary.advice)
         json["suitability"]["advice"].push_back(advice.words());
     json["quality"] = json_of(summary.quality);
+    for (const Advice& doubt : summary.reference_doubts)
+        json["reference_doubts"].push_back(doubt.words());
     state(summary.figures, json);
     if (summary.times) json["times"] = json_of(*summary.times);
     json["not_written"] = ordered_json::array();

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "edit_list.hpp"
+#include "hitos/services/evaluation/reference_fit.hpp"
 #include "hitos/slam/filters.hpp"
 #include "look/flow_layout.hpp"
 #include "look/parameter_text.hpp"
@@ -372,7 +373,11 @@ void LoopTable::take_loops() {
     const auto snapshot = session_.snapshot();
     loops_ = snapshot ? snapshot->loops : std::vector<RunLoop>();
     const References& references = session_.references();
-    if (references.trajectory) judge_loops(loops_, *references.trajectory, references.tolerance_s);
+    if (references.trajectory && !loops_.empty() &&
+        !doubt_of_shape(snapshot->best_trajectory, *references.trajectory,
+                        references.tolerance_s)) {
+        judge_loops(loops_, *references.trajectory, references.tolerance_s);
+    }
     const auto number = std::ranges::count_if(loops_, &RunLoop::closed);
     const auto count = static_cast<std::ptrdiff_t>(loops_.size());
     which_->setItemText(all, tr("All places (%1)").arg(count));

@@ -59,6 +59,9 @@ Measured measure(const Snapshot& snapshot, const References& references, KnownEr
     if (references.trajectory) {
         out.trajectory = trajectory_error(snapshot.best_trajectory, *references.trajectory);
         out.odometry = trajectory_error(snapshot.odometry_trajectory, *references.trajectory);
+        // Of the two the one by which loops are told false.
+        if (const auto shape = doubt_of_shape(snapshot.best_trajectory, *references.trajectory))
+            out.doubt = shape;
         const Pose pose_world_reference =
             out.trajectory ? inverse(out.trajectory->pose_reference_estimate) : Pose{};
         for (const StampedPose& stamped : *references.trajectory) {

@@ -27,7 +27,7 @@ struct Measured {
     std::optional<MapError> map;
     std::optional<TrajectoryError> trajectory;
     std::optional<TrajectoryError> odometry;
-    std::optional<Advice> doubt;  ///< whether the reference map is of this place
+    std::optional<Advice> doubt;  ///< whether the references are of this place and tour
     Trajectory reference_world;   ///< the reference trajectory moved to the run's frame
 };
 

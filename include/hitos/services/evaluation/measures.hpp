@@ -36,7 +36,8 @@ std::optional<MapError> map_error(const LandmarkMap& map, const LandmarkMap& ref
 /// The rigid motion that takes the map nearest to the reference (least squares over the pairs of
 /// map_error, found anew until they no longer change), and the error after it. It takes the
 /// frame's error at the start out of the figure. The search starts at no motion and only goes
-/// downhill: the sum of squares is never greater than without alignment. What the map does not
+/// downhill: neither the sum of squares nor the mean is greater than without alignment, which stays
+/// where it is the better one. What the map does not
 /// fix (the way along parallel lines) stays as it is. Where both maps say which landmarks they
 /// hold, it starts at the best motion of these, however far that is.
 struct AlignedMapError {

@@ -17,10 +17,18 @@ class TourReader;
 struct ReferenceFit {
     std::size_t poses = 0;
     std::size_t common = 0;  ///< of these, with a pose of the reference at their stamp
+    /// doubt_of_shape(); errors are none, and no loop is false, by a reference that has one.
+    std::optional<Advice> shape = std::nullopt;
 
-    /// What there is to doubt where that is less than half of them.
+    /// Of its shape, or that it tells of less than half of the poses.
     std::optional<Advice> doubt() const;
 };
+
+/// What there is to doubt of a reference trajectory whose poses tell of the path's: over pieces of
+/// ten metres, which even bad odometry bends little, it is a mirror image of the path or of another
+/// size, or is nowhere like it and far from it as a whole too. Nothing of a path of a few metres.
+std::optional<Advice> doubt_of_shape(const Trajectory& path, const Trajectory& reference,
+                                     double tolerance_s = kSameStamp);
 
 /// The poses are paired as trajectory_error() pairs them. Throws Error, with the times of both,
 /// where fewer than three of the path's poses (or, of fewer, not all) have one of the reference,
@@ -28,13 +36,15 @@ struct ReferenceFit {
 /// these are less than a tenth of what both have in that time: errors would be figures of nothing.
 ReferenceFit fit_of_reference(const Trajectory& path, const Trajectory& reference,
                               double tolerance_s = kSameStamp);
-/// The same of a tour before it is run: reads the stamps of its scans anew, and leaves it where it
-/// stands.
+/// The same of a tour before it is run, but for its shape: reads the stamps of its scans anew, and
+/// leaves it where it stands.
 ReferenceFit fit_of_reference(const TourReader& tour, const Trajectory& reference,
                               double tolerance_s = kSameStamp);
 
-/// What there is to doubt of a reference map: less than half of the run's landmarks lie near one of
-/// it, or none is of a kind that it has. Nothing where the run has no landmark.
+/// What there is to doubt of a reference map: less than half of the run's landmarks (of ten and
+/// more less than four fifths) lie near one of it, or none is of a kind that it has. It is told
+/// where they do once its angles are radians, its columns change places, it is in millimetres or
+/// centimetres or a mirror image. Nothing where the run has no landmark.
 std::optional<Advice> doubt_of_map(const LandmarkMap& map, const LandmarkMap& reference);
 
 }  // namespace hitos

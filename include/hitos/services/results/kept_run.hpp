@@ -26,9 +26,10 @@ struct KeptRun {
     std::vector<LineExtent> line_extents;
     Trajectory path;  ///< of the best hypothesis
     Trajectory odometry;
-    GridTiles grid;                   ///< empty where only the log could tell
-    std::vector<RunLoop> loops = {};  ///< of a folder, without their errors
-    RunFigures figures = {};          ///< of a folder those that its summary states
+    GridTiles grid;                                  ///< empty where only the log could tell
+    std::vector<RunLoop> loops = {};                 ///< of a folder, without their errors
+    RunFigures figures = {};                         ///< of a folder those that its summary states
+    std::vector<std::string> reference_doubts = {};  ///< likewise, in English
 };
 
 /// A run from the folder that write_results() wrote, without its grid. Throws FileError where a

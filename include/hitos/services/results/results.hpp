@@ -72,6 +72,7 @@ struct RunSummary : RunErrors {
     SuitabilityFigures suitability;
     std::vector<Advice> advice;
     RunQuality quality;
+    std::vector<Advice> reference_doubts;  ///< of its warnings those about the references
     std::vector<NotWritten> not_written;
     std::vector<WrittenFile> files;  ///< by name; not the summary itself
     std::optional<RunTimes> times;   ///< where the run's stages were timed

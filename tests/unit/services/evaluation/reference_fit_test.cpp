@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
+#include <variant>
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/files/reference_files.hpp"
@@ -63,6 +65,74 @@ TEST(ReferenceFit, OfShortPathsWantsEveryPose) {
     EXPECT_THAT(refusal(two, path_from(0.0, 1.0, 1)), HasSubstr("1 of 2 poses"));
 }
 
+/// Round two rooms of unlike size, so that it has left bends and right ones.
+Trajectory tour(double bias_rad_m = 0.0) {
+    Trajectory path;
+    Pose pose;
+    for (int i = 0; i < 800; ++i) {
+        path.push_back({0.5 * i, pose});
+        const double bend = i % 200 < 90 ? 0.18 : -0.1;
+        pose = compose(pose, {0.1 + 0.05 * std::sin(0.1 * i), 0.0,
+                              (i % 25 < 5 ? bend : 0.0) + 0.1 * bias_rad_m});
+    }
+    return path;
+}
+
+/// At the same times.
+Trajectory another_tour() {
+    Trajectory path;
+    Pose pose;
+    for (int i = 0; i < 800; ++i) {
+        path.push_back({0.5 * i, pose});
+        pose = compose(pose, {i % 60 < 30 ? 0.02 : 0.3, 0.0, i % 22 < 11 ? 0.25 : -0.1});
+    }
+    return path;
+}
+
+template <class Change>
+std::string doubt_where(const Trajectory& path, Change change) {
+    Trajectory reference = path;
+    for (StampedPose& pose : reference) pose.pose = change(pose.pose);
+    const auto doubt = fit_of_reference(path, reference).doubt();
+    return doubt ? doubt->words() : std::string();
+}
+
+TEST(ReferenceFit, SaysHowAReferenceOfAnotherShapeDiffers) {
+    // So does the path that bad odometry tells.
+    const Trajectory odometry = tour(0.03);
+    ASSERT_GT(trajectory_error(odometry, tour())->rmse_m, 5.0);
+    EXPECT_FALSE(fit_of_reference(odometry, tour()).doubt());
+    for (const Trajectory& path : {tour(), odometry}) {
+        EXPECT_EQ(doubt_where(path, [](Pose at) { return at; }), "");
+        // Of another frame.
+        EXPECT_EQ(doubt_where(path, [](Pose at) { return compose({40.0, -9.0, 2.0}, at); }), "");
+        EXPECT_THAT(doubt_where(path,
+                                [](Pose at) {
+                                    return Pose{at.x, -at.y, -at.theta};
+                                }),
+                    HasSubstr("mirror image of the path ("));
+        EXPECT_THAT(doubt_where(path,
+                                [](Pose at) {
+                                    return Pose{at.y, at.x, at.theta};
+                                }),
+                    HasSubstr("mirror image of the path ("));
+        const auto times = [](double scale) {
+            return [scale](Pose at) { return Pose{scale * at.x, scale * at.y, at.theta}; };
+        };
+        EXPECT_THAT(doubt_where(path, times(1000.0)), HasSubstr("1e+03 times as large as the path: "
+                                                                "it is in millimetres"));
+        EXPECT_THAT(doubt_where(path, times(100.0)), HasSubstr("it is in centimetres"));
+        EXPECT_THAT(doubt_where(path, times(3.2808)), HasSubstr("it is in feet"));
+        EXPECT_THAT(doubt_where(path, times(0.5)), HasSubstr("0.5 times as large"));
+        EXPECT_EQ(doubt_where(path, times(1.1)), "");
+    }
+    const auto other = fit_of_reference(tour(), another_tour()).doubt();
+    ASSERT_TRUE(other);
+    EXPECT_THAT(other->words(), HasSubstr("nowhere like the reference trajectory"));
+    // What hardly moves has no shape.
+    EXPECT_FALSE(fit_of_reference(path_from(0.0, 1.0, 50), tour()).doubt());
+}
+
 TEST(ReferenceFit, DoubtsAMapOfAnotherPlace) {
     const LandmarkMap map{{Esquina{0.0, 0.0}}, {Esquina{4.0, 0.0}}, {Recta{3.0, 0.0}}};
     EXPECT_FALSE(doubt_of_map(map, map));
@@ -73,6 +143,63 @@ TEST(ReferenceFit, DoubtsAMapOfAnotherPlace) {
     EXPECT_EQ(doubt_of_map(map, far)->figure, "1/3");
     // Of no kind that it has.
     EXPECT_EQ(doubt_of_map({{Recta{1.0, 0.0}}}, {{Esquina{1.0, 0.0}}})->figure, "0/1");
+}
+
+constexpr const char* kRooms =
+    "rho: 1 theta: -90\nrho: 2 theta: 90\nrho: 2 theta: 0\nrho: 19 theta: 0\nrho: 16 theta: 0\n"
+    "rho: 9 theta: 90\nrho: 6 theta: 90\nrho: 1 theta: 180\nx: 2 y: 2\nx: 19 y: -1\nx: 16 y: 2\n"
+    "x: 19 y: 9\nx: 16 y: 6\nx: -1 y: 9\nx: 2 y: 6\nx: -1 y: -1\n";
+
+TEST(ReferenceFit, SaysHowAReferenceMapIsRead) {
+    const LandmarkMap map = parse_map(kRooms, "rooms");
+    const auto doubt = [&](const std::string& reference) {
+        const auto found = doubt_of_map(map, parse_map(reference, "reference"));
+        return found ? found->words() : std::string();
+    };
+    EXPECT_EQ(doubt(kRooms), "");
+    EXPECT_THAT(doubt("rho: 1 theta: -1.5708\nrho: 2 theta: 1.5708\nrho: 2 theta: 0\n"
+                      "rho: 19 theta: 0\nrho: 16 theta: 0\nrho: 9 theta: 1.5708\n"
+                      "rho: 6 theta: 1.5708\nrho: 1 theta: 3.14159\nx: 2 y: 2\nx: 19 y: -1\n"
+                      "x: 16 y: 2\nx: 19 y: 9\nx: 16 y: 6\nx: -1 y: 9\nx: 2 y: 6\nx: -1 y: -1\n"),
+                HasSubstr("has its angles in radians"));
+    EXPECT_THAT(doubt("rho: -90 theta: 1\nrho: 90 theta: 2\nrho: 0 theta: 2\nrho: 0 theta: 19\n"
+                      "rho: 0 theta: 16\nrho: 90 theta: 9\nrho: 90 theta: 6\nrho: 180 theta: 1\n"
+                      "x: 2 y: 2\nx: 19 y: -1\nx: 16 y: 2\nx: 19 y: 9\nx: 16 y: 6\nx: -1 y: 9\n"
+                      "x: 2 y: 6\nx: -1 y: -1\n"),
+                HasSubstr("rho and theta of its lines in each other's place"));
+    LandmarkMap changed = map;
+    const auto change = [&](auto line, auto corner) {
+        for (std::size_t i = 0; i < map.size(); ++i) {
+            if (const auto* wall = std::get_if<Recta>(&map[i].value)) {
+                changed[i].value = line(*wall);
+            } else {
+                changed[i].value = corner(std::get<Esquina>(map[i].value));
+            }
+        }
+        return doubt(map_to_text(changed));
+    };
+    EXPECT_THAT(change(
+                    [](Recta wall) {
+                        return Recta{1000.0 * wall.rho, wall.theta};
+                    },
+                    [](Esquina at) {
+                        return Esquina{1000.0 * at.x, 1000.0 * at.y};
+                    }),
+                HasSubstr("is in millimetres"));
+    EXPECT_THAT(change(
+                    [](Recta wall) {
+                        return Recta{wall.rho, wrap_angle(-wall.theta)};
+                    },
+                    [](Esquina at) {
+                        return Esquina{at.x, -at.y};
+                    }),
+                HasSubstr("its y axis points the other way"));
+    // Of a building that has half of these walls in the same places the others are far from any.
+    for (std::size_t i = 0; i < map.size(); ++i) {
+        changed[i] = map[i];
+        if (i % 4 == 0) changed[i].value = Esquina{40.0, 40.0};
+    }
+    EXPECT_THAT(doubt(map_to_text(changed)), HasSubstr("Less than four fifths of the landmarks"));
 }
 
 class ReferenceFilesTest : public testing::Test {
