@@ -38,49 +38,6 @@ struct GraphOptions {
     bool json = false;
 };
 
-/// Edges that turn by more than a whole turn.
-std::size_t whole_turns(const PlanarGraph& graph) {
-    return static_cast<std::size_t>(std::ranges::count_if(graph.edges, [](const PlanarEdge& edge) {
-        using Kind = PlanarEdge::Kind;
-        const bool turns = edge.kind == Kind::step || edge.kind == Kind::pose_prior;
-        const double angle = turns ? edge.z(2) : edge.kind == Kind::line ? edge.z(0) : 0.0;
-        return std::abs(angle) > 2.001 * kPi;
-    }));
-}
-
-/// How many of its own standard deviations every figure of an edge is off, in the mean; that is 1
-/// where they are what they say.
-double mean_deviation(const PlanarGraph& graph, double chi_square) {
-    std::size_t figures = 0;
-    for (const PlanarEdge& edge : graph.edges) figures += static_cast<std::size_t>(edge.size());
-    std::size_t free = 0;
-    for (const PlanarVertex& vertex : graph.vertices) {
-        if (!vertex.fixed) free += vertex.kind == PlanarVertex::Kind::pose ? 3 : 2;
-    }
-    if (figures <= free) return 0.0;
-    return std::sqrt(chi_square / static_cast<double>(figures - free));
-}
-
-/// Of the file's numbers: they are solved whatever they are.
-void tell_doubts(Report& report, const SolvedGraph& solved) {
-    constexpr double kMostDeviation = 10.0;
-    if (const std::size_t turned = whole_turns(solved.graph); turned > 0) {
-        report.warn(fmt::format(
-            "{} (of {}) by more than a whole turn: angles are radians in g2o's text; are "
-            "these degrees?",
-            turned == 1 ? "1 edge turns" : fmt::format("{} edges turn", turned),
-            plural(solved.graph.edges.size(), "edge")));
-    }
-    const double off = mean_deviation(solved.graph, solved.solution.chi_square_after);
-    if (off > kMostDeviation) {
-        report.warn(fmt::format(
-            "solved, the edges are off by {:.0f} times what their information says, in the mean: "
-            "are their numbers metres and radians, and the information the inverse of their "
-            "covariance? Or are some of them false? --robust takes the weight from those",
-            off));
-    }
-}
-
 /// Tried before the solving, which may take its time.
 std::unique_ptr<GraphFolder> folder_for(const GraphOptions& options) {
     if (options.out.empty()) return nullptr;
@@ -190,7 +147,7 @@ void solve_graph(GraphOptions options) {
     if (!edits.edits.empty()) report.count("edits", edits.edits.size());
     tell_graph(report, solved.graph, file.unread);
     tell_solution(report, solved);
-    tell_doubts(report, solved);
+    for (const Advice& doubt : doubts_of_graph(solved)) report.warn(doubt.words());
     tell_worst(report, solved);
     if (folder) {
         folder->write(fs::path(options.file).filename().string(), solved, edits.edits);

@@ -6,18 +6,60 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "drawing/graph_figure.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/file_exchange.hpp"
+#include "hitos/base/geometry.hpp"
 #include "hitos/base/input_files.hpp"
 #include "hitos/base/staged_files.hpp"
+#include "hitos/base/translatable.hpp"
 #include "hitos/services/files/g2o_file.hpp"
 #include "hitos/services/results/results.hpp"
 
 namespace hitos {
+
+std::vector<Advice> doubts_of_graph(const SolvedGraph& solved) {
+    using Kind = PlanarEdge::Kind;
+    constexpr double kMostTurn = 2.001 * kPi;
+    constexpr double kMostDeviation = 10.0;
+    const PlanarGraph& graph = solved.graph;
+    std::size_t turned = 0;
+    std::size_t figures = 0;
+    for (const PlanarEdge& edge : graph.edges) {
+        const bool turns = edge.kind == Kind::step || edge.kind == Kind::pose_prior;
+        const double angle = turns ? edge.z(2) : edge.kind == Kind::line ? edge.z(0) : 0.0;
+        if (std::abs(angle) > kMostTurn) ++turned;
+        figures += static_cast<std::size_t>(edge.size());
+    }
+    for (const PlanarVertex& vertex : graph.vertices) {
+        const std::size_t free = vertex.kind == PlanarVertex::Kind::pose ? 3 : 2;
+        if (!vertex.fixed) figures -= std::min(figures, free);
+    }
+    std::vector<Advice> doubts;
+    if (turned > 0) {
+        doubts.push_back({HITOS_TEXT("Advice",
+                                     "Of the edges %1 turn by more than a whole turn: angles of "
+                                     "such a file are radians; are these degrees?"),
+                          fmt::format("{}/{}", turned, graph.edges.size()),
+                          {}});
+    }
+    if (figures == 0) return doubts;
+    const double off = std::sqrt(solved.solution.chi_square_after / static_cast<double>(figures));
+    if (off > kMostDeviation) {
+        doubts.push_back({HITOS_TEXT("Advice",
+                                     "Solved, the edges are %1 times as far off as their "
+                                     "information says: are their numbers metres and radians, and "
+                                     "the information the inverse of their covariance? Or are some "
+                                     "of them false?"),
+                          fmt::format("{:.0f}", off),
+                          {}});
+    }
+    return doubts;
+}
 
 SolvedGraph solved_graph(PlanarGraph graph, const PlacedEdits& edits, const GraphChoices& choices,
                          PlanarStart start, const std::stop_token& stop) {
@@ -77,7 +119,7 @@ void GraphFolder::write(const std::string& name, const SolvedGraph& solved,
     staged.write([&] {
         write_file(staged.staged(files_[0]), svg_text(figure));
         write_file(staged.staged(files_[1]), png_text(figure, kPixelsPerMm));
-        write_file(staged.staged(files_[2]), fmt::format("# Changes by hand of {}\n{}",
+        write_file(staged.staged(files_[2]), fmt::format("# Changes by hand of {}\n\n{}",
                                                          on_one_line(name), vertex_text_of(edits)));
         write_file(staged.staged(files_[3]), graph);
     });

@@ -89,6 +89,17 @@ void doubt_map(const Study& study, StudyOutcome& outcome) {
     if (const auto doubt = doubt_of_map(map, study.reference)) outcome.doubts.push_back(*doubt);
 }
 
+/// Of most runs' paths: one alone may have gone wrong.
+void doubt_path(StudyOutcome& outcome) {
+    const auto doubted = [](const StudyRecord& record) {
+        return record.reference_doubt.has_value();
+    };
+    const auto first = std::ranges::find_if(outcome.records, doubted);
+    const auto good = std::ranges::count_if(outcome.records, &StudyRecord::ok);
+    if (2 * std::ranges::count_if(outcome.records, doubted) > good)
+        outcome.doubts.push_back(*first->reference_doubt);
+}
+
 /// Does all tasks on a number of threads and tells the observer.
 class Crew {
   public:
@@ -389,6 +400,7 @@ std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const Stud
         for (std::size_t s = 0; s < studies.size(); ++s) {
             publish(folders[s], outcomes[s]);
             doubt_map(studies[s], outcomes[s]);
+            doubt_path(outcomes[s]);
         }
     }
     return outcomes;

@@ -92,6 +92,7 @@ std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& la
     const Trajectory path = run.best_trajectory();
     ReferenceFit fit;
     if (study.reference_trajectory) fit = fit_of_reference(path, *study.reference_trajectory);
+    record.reference_doubt = fit.shape;
     const References references = references_of(study, run);
     const RunErrors errors = errors_of(run, map, path, references);
     if (errors.map_error) record.reference_found = errors.map_error->reference_found;

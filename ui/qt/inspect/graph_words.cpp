@@ -40,6 +40,9 @@ QString graph_words(const ShownGraph* graph, bool busy) {
                        .arg(solved.vertices[solution.held.front()].id);
         }
     }
+    if (graph->stage == ShownGraph::Stage::solved) {
+        for (const Advice& doubt : doubts_of_graph(graph->solved)) words << words_of(doubt);
+    }
     if (graph->stage == ShownGraph::Stage::solved && !solution.converged) {
         words << GraphWindow::tr(
             "Further steps would still move the graph: are edges false? “Robust” takes "

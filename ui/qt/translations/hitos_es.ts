@@ -123,6 +123,70 @@
         <source>Changes by hand have met nothing to change (no. %1 of the list): no loop was found there, as where something else joins the passages, or the tour has not come to those scans.</source>
         <translation>Hay cambios a mano que no han encontrado nada que cambiar (n.º %1 de la lista): allí no se encontró ningún bucle, como donde otra cosa une las dos pasadas, o el recorrido no ha llegado a esos barridos.</translation>
     </message>
+    <message>
+        <source>The reference map has its angles in radians, where degrees are expected: %1 of the landmarks lie within a metre of one of it as it is.</source>
+        <translation>El mapa de referencia tiene los ángulos en radianes, y se esperan grados: %1 de los hitos están a menos de un metro de uno suyo tal como es.</translation>
+    </message>
+    <message>
+        <source>The reference map has rho and theta of its lines in each other&apos;s place: %1 of the landmarks lie within a metre of one of it as it is.</source>
+        <translation>El mapa de referencia tiene rho y theta de sus rectas cambiados de lugar: %1 de los hitos están a menos de un metro de uno suyo tal como es.</translation>
+    </message>
+    <message>
+        <source>The reference map is in millimetres, where metres are expected: %1 of the landmarks lie within a metre of one of it as it is.</source>
+        <translation>El mapa de referencia está en milímetros, y se esperan metros: %1 de los hitos están a menos de un metro de uno suyo tal como es.</translation>
+    </message>
+    <message>
+        <source>The reference map is in centimetres, where metres are expected: %1 of the landmarks lie within a metre of one of it as it is.</source>
+        <translation>El mapa de referencia está en centímetros, y se esperan metros: %1 de los hitos están a menos de un metro de uno suyo tal como es.</translation>
+    </message>
+    <message>
+        <source>The reference map is a mirror image, as where its y axis points the other way: %1 of the landmarks lie within a metre of one of it as it is.</source>
+        <translation>El mapa de referencia está reflejado, como cuando su eje y apunta al lado contrario: %1 de los hitos están a menos de un metro de uno suyo tal como es.</translation>
+    </message>
+    <message>
+        <source>The reference map is a mirror image, as where its x axis points the other way: %1 of the landmarks lie within a metre of one of it as it is.</source>
+        <translation>El mapa de referencia está reflejado, como cuando su eje x apunta al lado contrario: %1 de los hitos están a menos de un metro de uno suyo tal como es.</translation>
+    </message>
+    <message>
+        <source>The reference map has x and y in each other&apos;s place: %1 of the landmarks lie within a metre of one of it as it is.</source>
+        <translation>El mapa de referencia tiene x e y cambiadas de lugar: %1 de los hitos están a menos de un metro de uno suyo tal como es.</translation>
+    </message>
+    <message>
+        <source>Less than four fifths of the landmarks lie within a metre of one of the reference map (%1), and the error is that of the others too: is it of this place, and the whole of it?</source>
+        <translation>Menos de cuatro quintos de los hitos están a menos de un metro de uno del mapa de referencia (%1), y el error es también el de los demás: ¿es de este lugar, y de todo él?</translation>
+    </message>
+    <message>
+        <source>The reference trajectory is %1 times as large as the path: it is in millimetres; divide its positions by 1000. Errors against it are none of the path&apos;s.</source>
+        <translation>La trayectoria de referencia es %1 veces tan grande como el camino: está en milímetros; divida sus posiciones entre 1000. Los errores respecto a ella no son del camino.</translation>
+    </message>
+    <message>
+        <source>The reference trajectory is %1 times as large as the path: it is in centimetres; divide its positions by 100. Errors against it are none of the path&apos;s.</source>
+        <translation>La trayectoria de referencia es %1 veces tan grande como el camino: está en centímetros; divida sus posiciones entre 100. Los errores respecto a ella no son del camino.</translation>
+    </message>
+    <message>
+        <source>The reference trajectory is %1 times as large as the path: it is in feet; multiply its positions by 0.3048. Errors against it are none of the path&apos;s.</source>
+        <translation>La trayectoria de referencia es %1 veces tan grande como el camino: está en pies; multiplique sus posiciones por 0.3048. Los errores respecto a ella no son del camino.</translation>
+    </message>
+    <message>
+        <source>The reference trajectory is %1 times as large as the path, piece by piece: one of the two is not in metres. Errors against it are none of the path&apos;s.</source>
+        <translation>La trayectoria de referencia es %1 veces tan grande como el camino, trozo a trozo: una de las dos cosas no está en metros. Los errores respecto a ella no son del camino.</translation>
+    </message>
+    <message>
+        <source>The reference trajectory is a mirror image of the path (%1 of the bends): its y axis points the other way, or x and y have changed places. Errors against it are none of the path&apos;s.</source>
+        <translation>La trayectoria de referencia es el reflejo del camino en un espejo (%1 de las curvas): su eje y apunta al lado contrario, o x e y están cambiadas de lugar. Los errores respecto a ella no son del camino.</translation>
+    </message>
+    <message>
+        <source>The path is nowhere like the reference trajectory, not even over short pieces (%1 off, after alignment): that is of another tour, or the path went wrong from its start.</source>
+        <translation>El camino no se parece en ninguna parte a la trayectoria de referencia, ni siquiera en trozos cortos (a %1, tras alinearlos): es la de otro recorrido, o el camino fue mal desde el principio.</translation>
+    </message>
+    <message>
+        <source>Of the edges %1 turn by more than a whole turn: angles of such a file are radians; are these degrees?</source>
+        <translation>De las aristas, %1 giran más de una vuelta entera: los ángulos de un archivo así son radianes; ¿son estos grados?</translation>
+    </message>
+    <message>
+        <source>Solved, the edges are %1 times as far off as their information says: are their numbers metres and radians, and the information the inverse of their covariance? Or are some of them false?</source>
+        <translation>Resuelto, las aristas se apartan %1 veces lo que dice su información: ¿son sus números metros y radianes, y la información la inversa de su covarianza? ¿O son falsas algunas?</translation>
+    </message>
 </context>
 <context>
     <name>Associations</name>
@@ -3497,6 +3561,46 @@
     <message>
         <source>holds the results of a tour whose scan %1 has the stamp %2 s, and in its log %3 that has %4 s: the log has changed; run it again</source>
         <translation>contiene los resultados de un recorrido cuyo barrido %1 tiene la marca de tiempo %2 s, y en su registro %3 esa es %4 s: el registro ha cambiado; ejecútelo de nuevo</translation>
+    </message>
+    <message>
+        <source>is UTF-16 text; save it as UTF-8</source>
+        <translation>es texto UTF-16; guárdelo como UTF-8</translation>
+    </message>
+    <message>
+        <source>seconds, below 1e12 (nanoseconds divided by 1e9)</source>
+        <translation>segundos, por debajo de 1e12 (los nanosegundos, divididos entre 1e9)</translation>
+    </message>
+    <message>
+        <source>two numbers for each, without an intensity</source>
+        <translation>dos números para cada una, sin intensidad</translation>
+    </message>
+    <message>
+        <source>the bearings in the place of the ranges</source>
+        <translation>los ángulos en el lugar de las distancias</translation>
+    </message>
+    <message>
+        <source>readings: found %1, expected range bearing intensity for each</source>
+        <translation>lecturas: se encontraron %1; se esperaba range bearing intensity para cada una</translation>
+    </message>
+    <message>
+        <source>it is UTF-16 text; save it as UTF-8</source>
+        <translation>es texto UTF-16; guárdelo como UTF-8</translation>
+    </message>
+    <message>
+        <source>no line is one of a format that Hitos reads, but would be with blanks in the place of %1; the first is &quot;%2&quot;</source>
+        <translation>ninguna línea es de un formato que Hitos lea, pero lo sería con espacios en el lugar de %1; la primera es «%2»</translation>
+    </message>
+    <message>
+        <source>no line is one of a format that Hitos reads, but would be with its name in capital letters; the first is &quot;%1&quot;</source>
+        <translation>ninguna línea es de un formato que Hitos lea, pero lo sería con su nombre en mayúsculas; la primera es «%1»</translation>
+    </message>
+    <message>
+        <source>has lines that end with CR alone, as old Macs wrote them; expected LF or CR LF, as tr &apos;\r&apos; &apos;\n&apos; makes of them</source>
+        <translation>tiene líneas que acaban solo en CR, como las escribían los Mac antiguos; se esperaba LF o CR LF, como las deja tr &apos;\r&apos; &apos;\n&apos;</translation>
+    </message>
+    <message>
+        <source>found %1, with a decimal comma; expected a decimal point</source>
+        <translation>se encontró %1, con coma decimal; se esperaba un punto decimal</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "hitos/services/evaluation/suitability.hpp"
 #include "hitos/slam/planar_graph.hpp"
 
 namespace hitos {
@@ -25,6 +26,11 @@ struct SolvedGraph {
 /// Of those the ones that are off by a standard deviation at least: where a graph fits, its
 /// greatest errors are none that anybody has to look at.
 std::span<const std::size_t> marked_edges(const SolvedGraph& solved);
+
+/// What there is to doubt of its numbers, which are solved whatever they are: edges that turn by
+/// more than a whole turn, as in degrees, and, solved, edges ten times as far off as their
+/// information says, in the mean.
+std::vector<Advice> doubts_of_graph(const SolvedGraph& solved);
 
 /// Whether errors far from the rest lose weight, and how many edges of the greatest errors are told
 /// and marked.

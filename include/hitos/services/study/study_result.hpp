@@ -14,6 +14,7 @@
 #include "hitos/base/message.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/services/evaluation/run_measures.hpp"
+#include "hitos/services/evaluation/suitability.hpp"
 #include "hitos/services/run/stage_seconds.hpp"
 #include "hitos/services/study/study_values.hpp"
 
@@ -125,6 +126,8 @@ struct StudyRecord {
     std::size_t state_bytes = 0;  ///< memory that the run's state took at its end, about
     std::string map_digest;       ///< of the map file
     std::optional<StudyPicture> picture;
+    /// Of its path's shape, see ReferenceFit; not of a run that was read.
+    std::optional<Advice> reference_doubt = std::nullopt;
 };
 
 /// The run whose log is the most damaged: lines skipped, or stamps that went backwards; null where
