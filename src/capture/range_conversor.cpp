@@ -101,7 +101,12 @@ bool RangeConversor::read(const RawLine& line, Readings& out) {
         }
         if (out.fan.max_range_m > 0.0) out.fan.max_range_m = put_right(out.fan.max_range_m);
     }
-    refuse_turns(out.fan);
+    if (out.fan.count > 0 || out.bearings_rad.empty()) {
+        refuse_turns(out.fan);
+    } else {  // irregular bearings
+        const auto [least, greatest] = std::ranges::minmax(out.bearings_rad);
+        refuse_turns({least, greatest, 0, 0.0, {}});
+    }
     if (options_.fan_scale != 1.0) {
         out.fan.min_angle_rad *= options_.fan_scale;
         out.fan.max_angle_rad *= options_.fan_scale;

@@ -39,9 +39,39 @@ class ConversorRadish final : public RangeConversor {
     std::optional<OdometryRecord> odometry(const RawLine& line) override;
 
   private:
+    void refuse_other_columns(const Fields& fields, const Readings& readings) const;
+
+    std::vector<double> numbers_;           // of the line, as they stand
     std::optional<std::int64_t> laser_;     // index of the device in use: the first that is sound
     std::optional<std::int64_t> position_;  // likewise
 };
+
+/// Whether the numbers go one way and never back, as no ranges do.
+bool sweeps(const std::vector<double>& numbers, std::size_t first, std::size_t stride) {
+    const bool upwards = numbers[first + stride] > numbers[first];
+    for (std::size_t i = first + stride; i < numbers.size(); i += stride) {
+        const double step = numbers[i] - numbers[i - stride];
+        if (!(upwards ? step > 0.0 : step < 0.0)) return false;
+    }
+    return true;
+}
+
+/// Three numbers a reading may also be two, of which three happen to be as many, or stand in
+/// another order: then others than the bearings sweep.
+void ConversorRadish::refuse_other_columns(const Fields& fields, const Readings& readings) const {
+    constexpr std::size_t kFewReadings = 8;  // may go one way by chance
+    if (readings.ranges_m.size() < kFewReadings || sweeps(readings.bearings_rad, 0, 1)) return;
+    const char* found = nullptr;
+    if (numbers_.size() % 2 == 0 && (sweeps(numbers_, 1, 2) || sweeps(numbers_, 0, 2))) {
+        found = HITOS_TEXT("Errors", "two numbers for each, without an intensity");
+    } else if (sweeps(readings.ranges_m, 0, 1)) {
+        found = HITOS_TEXT("Errors", "the bearings in the place of the ranges");
+    }
+    if (found == nullptr) return;
+    fields.fail(message(
+        HITOS_TEXT("Errors", "readings: found %1, expected range bearing intensity for each"),
+        marked(found)));
+}
 
 bool ConversorRadish::parse_scan(const RawLine& line, Readings& out) {
     Fields fields(line);
@@ -52,11 +82,15 @@ bool ConversorRadish::parse_scan(const RawLine& line, Readings& out) {
         fields.fail(message(
             HITOS_TEXT("Errors", "readings: found none, expected range bearing intensity")));
     }
+    numbers_.clear();
     while (!fields.at_end()) {
         out.ranges_m.push_back(fields.reading("range"));
         out.bearings_rad.push_back(fields.number("bearing"));
-        fields.reading("intensity");
+        numbers_.push_back(out.ranges_m.back());
+        numbers_.push_back(out.bearings_rad.back());
+        numbers_.push_back(fields.reading("intensity"));
     }
+    refuse_other_columns(fields, out);
     if (laser_ && *laser_ != index) return false;
     laser_ = index;
     out.fan = fan_of_bearings(out.bearings_rad);

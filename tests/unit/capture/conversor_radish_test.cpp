@@ -132,6 +132,31 @@ TEST(ConversorRadish, DamagedLines) {
     EXPECT_THAT(log.report.examples[2].reason.english(), HasSubstr("bearing"));
 }
 
+TEST(ConversorRadish, WhatAreNoTriplesIsRefusedThoughItsNumbersAreAsMany) {
+    const auto told = [](int readings, const auto& reading) {
+        std::string text = "laser 0 1";
+        for (int i = 0; i < readings; ++i)
+            text +=
+                reading(std::to_string(2.0 + 0.3 * ((7 * i) % 11)), std::to_string(0.1 * i - 1));
+        const Log log = radish(text + "\nlaser 0 2 1 0.1 0\n");
+        EXPECT_EQ(log.report.skipped, log.scans.size() == 1 ? 1U : 0U);
+        return log.report.examples.empty() ? std::string()
+                                           : log.report.examples[0].reason.english();
+    };
+    const auto word = [](const std::string& text) { return " " + text; };
+    EXPECT_EQ(told(18, [&](auto r, auto b) { return word(r) + word(b) + " 0"; }), "");
+    const char* const expected = "expected range bearing intensity for each";
+    const auto pairs = told(18, [&](auto r, auto b) { return word(r) + word(b); });
+    EXPECT_THAT(pairs, HasSubstr("readings: found two numbers for each, without an intensity"));
+    EXPECT_THAT(pairs, HasSubstr(expected));
+    EXPECT_THAT(told(18, [&](auto r, auto b) { return word(b) + word(r); }), HasSubstr(expected));
+    EXPECT_THAT(told(18, [&](auto r, auto b) { return word(b) + word(r) + " 0"; }),
+                HasSubstr("found the bearings in the place of the ranges, expected"));
+    // Bearings of no order at all, beyond a turn.
+    EXPECT_THAT(told(18, [&](auto r, auto) { return word("1") + word(r + "e1") + " 0"; }),
+                HasSubstr("expected no more than a turn"));
+}
+
 TEST(ConversorRadish, TheFirstDeviceIsUsed) {
     const Log log = radish("laser 1 1 1 0 0\nlaser 0 2 1 0 0\nlaser 1 3 1 0 0\n");
     ASSERT_EQ(log.scans.size(), 2U);
