@@ -13,6 +13,7 @@
 #include <cmath>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 #include "hitos/base/error.hpp"
 
@@ -33,6 +34,36 @@ constexpr std::size_t kMostTimes = 64;
 bool is_bomb(gzFile file, std::size_t unpacked) {
     const z_off_t packed = gzoffset(file);
     return packed > 0 && unpacked / kMostTimes > static_cast<std::size_t>(packed);
+}
+
+/// Two bytes a letter: by the mark at its beginning, or by a beginning of plain letters.
+bool is_utf16(std::string_view text) {
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
+    constexpr std::size_t kLetters = 8;
+    if (text.size() < 2 * kLetters) return false;
+    const auto plain_at = [&](std::size_t first) {
+        for (std::size_t i = 0; i < 2 * kLetters; i += 2) {
+            const char letter = text[i + first];
+            const bool plain =
+                (letter >= ' ' && letter <= '~') || kWhite.find(letter) != std::string_view::npos;
+            if (!plain || text[i + 1 - first] != '\0') return false;
+        }
+        return true;
+    };
+    return plain_at(0) || plain_at(1);
+}
+
+/// As spreadsheets and editors save it: without a byte order mark, and lines of old Macs, which end
+/// with CR alone, as lines. Pictures, which are read by this too, hold zeros.
+std::string as_is_written(std::string text, const std::filesystem::path& path) {
+    if (is_utf16(text)) {
+        throw FormatError(path.string(), 0,
+                          HITOS_TEXT("Errors", "is UTF-16 text; save it as UTF-8"));
+    }
+    text.erase(0, text.size() - without_mark(text).size());
+    if (text.find('\n') == std::string::npos && text.find('\0') == std::string::npos)
+        std::ranges::replace(text, '\r', '\n');
+    return text;
 }
 
 [[noreturn]] void refuse_endless(const std::filesystem::path& path) {
@@ -91,7 +122,7 @@ std::string read_text(const std::filesystem::path& path, std::size_t largest) {
     if (code != Z_OK && code != Z_STREAM_END) {
         throw FileError(path.string(), HITOS_TEXT("Errors", "damaged gzip file: %1"), reason);
     }
-    return text;
+    return as_is_written(std::move(text), path);
 }
 
 std::string_view trimmed(std::string_view text) {

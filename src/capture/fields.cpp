@@ -37,7 +37,11 @@ double Fields::odd_number(const char* name) {
     const std::optional<double> value = parse_double(field);
     if (!value) fail(name, field, HITOS_TEXT("Errors", "a number"));
     if (!(std::abs(*value) <= kGreatestValue)) {
-        fail(name, field, HITOS_TEXT("Errors", "a finite number below 1e12"));
+        const bool time = std::string_view(name).find("time") != std::string_view::npos;
+        fail(name, field,
+             time && std::isfinite(*value)
+                 ? HITOS_TEXT("Errors", "seconds, below 1e12 (nanoseconds divided by 1e9)")
+                 : HITOS_TEXT("Errors", "a finite number below 1e12"));
     }
     return *value;
 }

@@ -2,6 +2,7 @@
 // Which format a log has, and one clear error where it has none.
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "hitos/base/text_input.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "line_reader.hpp"
+#include "plain_decimal.hpp"
 #include "read_extent.hpp"
 #include "recordings/recording.hpp"
 #include "recordings/unpack.hpp"
@@ -34,6 +36,9 @@ struct Probe {
     std::uint64_t no_text = 0;         ///< lines that are not text
     std::uint64_t too_long = 0;        ///< lines longer than kLongestLine
     std::uint64_t commas = 0;          ///< lines of text with decimal commas
+    std::uint64_t lower = 0;           ///< lines that would be claimed in capital letters
+    std::string separated;             ///< what parts the words of a line that blanks would mend
+    bool old_ends = false;             ///< lines end with CR alone
     std::uint64_t bytes = 0;
     std::string first_line;     ///< cut, for messages
     std::string raw_beginning;  ///< the first bytes of the file on disk or of what it unpacks to
@@ -63,14 +68,42 @@ bool has_decimal_commas(std::string_view text) {
     return found == 2;
 }
 
+std::string replaced(std::string_view text, std::string_view what) {
+    std::string out(text);
+    for (std::size_t at = 0; (at = out.find(what, at)) != std::string::npos; ++at)
+        out.replace(at, what.size(), " ");
+    return out;
+}
+
+/// What would make a line of it that no format claims.
+void note_mend(Probe& result, std::string_view text) {
+    for (const std::string_view mark : {",", ";", "|", "\xc2\xa0"}) {
+        if (!result.separated.empty() || text.find(mark) == std::string_view::npos) continue;
+        if (format_of_line(replaced(text, mark))) result.separated = mark;
+    }
+    std::string capital(text);
+    const auto end = std::ranges::find_if(capital, [](char c) { return plain::is_blank(c); });
+    std::transform(capital.begin(), end, capital.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+    if (capital != text && format_of_line(capital)) ++result.lower;
+}
+
+/// Old Macs ended lines with CR alone.
+bool has_old_ends(std::string_view beginning) {
+    return beginning.find('\r') != std::string_view::npos &&
+           beginning.find('\n') == std::string_view::npos && beginning.back() != '\r';
+}
+
 Probe probe(const std::filesystem::path& path, const FileExtent& extent) {
     Probe result;
     result.votes.resize(log_formats().entries().size());
     {
         ByteStream bytes(path, extent);
-        std::array<char, 8> beginning{};
-        const std::size_t got = bytes.read(beginning);
-        result.raw_beginning.assign(beginning.data(), got);
+        std::string beginning(1U << 16U, '\0');
+        beginning.resize(bytes.read(beginning));
+        constexpr std::size_t kKnown = 8;
+        result.raw_beginning = beginning.substr(0, kKnown);
+        result.old_ends = has_old_ends(beginning);
     }
     LineReader reader(path, extent);
     for (std::uint64_t lines = 0;
@@ -92,7 +125,10 @@ Probe probe(const std::filesystem::path& path, const FileExtent& extent) {
             if (result.first_line.empty()) result.first_line = line->text.substr(0, kShown);
         }
         const std::optional<std::size_t> format = format_of_line(line->text);
-        if (!format) continue;
+        if (!format) {
+            if (!comment) note_mend(result, line->text);
+            continue;
+        }
         ++result.claimed;
         ++result.votes[*format];
     }
@@ -123,6 +159,12 @@ Message known_kind(const std::string& beginning) {
         Magic{"\x7f"
               "ELF",
               HITOS_TEXT("Errors", "it is a program")}};
+    const auto zero = [&](std::size_t at) { return beginning.at(at) == '\0'; };
+    const bool wide =
+        beginning.starts_with("\xff\xfe") || beginning.starts_with("\xfe\xff") ||
+        (beginning.size() == 8 && zero(0) == zero(2) && zero(2) == zero(4) && zero(4) == zero(6) &&
+         zero(1) == zero(3) && zero(3) == zero(5) && zero(5) == zero(7) && zero(0) != zero(1));
+    if (wide) return message(HITOS_TEXT("Errors", "it is UTF-16 text; save it as UTF-8"));
     for (const Magic& magic : kMagics) {
         if (beginning.starts_with(magic.bytes)) return marked(magic.kind);
     }
@@ -148,6 +190,18 @@ Message problem_of(const Probe& found) {
         return message(HITOS_TEXT("Errors", "holds lines longer than 1 MiB"));
     }
     if (found.text == 0) return message(HITOS_TEXT("Errors", "holds nothing but comments"));
+    if (!found.separated.empty()) {
+        return message(HITOS_TEXT("Errors",
+                                  "no line is one of a format that Hitos reads, but would be with "
+                                  "blanks in the place of %1; the first is \"%2\""),
+                       input::in_quotes(found.separated), found.first_line);
+    }
+    if (found.lower > 0) {
+        return message(HITOS_TEXT("Errors",
+                                  "no line is one of a format that Hitos reads, but would be with "
+                                  "its name in capital letters; the first is \"%1\""),
+                       found.first_line);
+    }
     return message(
         HITOS_TEXT("Errors", "no line is one of a format that Hitos reads; the first is \"%1\""),
         found.first_line);
@@ -166,6 +220,13 @@ Message problem_of(const Probe& found) {
                    "languages; expected decimal points, as sed -E 's/([0-9]),([0-9])/\\1.\\2/g' "
                    "makes of them; the first line is \"%1\""),
         found.first_line);
+}
+
+[[noreturn]] void refuse_old_ends(const std::string& path) {
+    throw FormatError(path, 0,
+                      HITOS_TEXT("Errors",
+                                 "has lines that end with CR alone, as old Macs wrote them; "
+                                 "expected LF or CR LF, as tr '\\r' '\\n' makes of them"));
 }
 
 /// Drawings are where worlds come from, but no tours.
@@ -242,6 +303,7 @@ std::unique_ptr<Fuente> open_log(const std::filesystem::path& path, std::string_
         return recording->open(path, *recording, options);
     }
     const Probe found = probe(path, opening_extent(options));
+    if (found.old_ends && found.no_text == 0) refuse_old_ends(path.string());
     refuse_drawing(path, found);
     if (2 * found.commas > found.text) refuse_commas(path.string(), found);
     if (found.claimed == 0) refuse_unknown(path.string(), found);

@@ -45,6 +45,27 @@ TEST(ReadText, GivesPlainFilesByteByByte) {
     EXPECT_EQ(read_text(folder.put("long", long_text())), long_text());
 }
 
+TEST(ReadText, TakesTextsAsEditorsSaveThem) {
+    const TempFolder folder;
+    EXPECT_EQ(read_text(folder.put("a",
+                                   "\xef\xbb\xbf"
+                                   "fix 1\r\n")),
+              "fix 1\r\n");
+    EXPECT_EQ(read_text(folder.put("b", "x: 1\ry: 2\r")), "x: 1\ny: 2\n");
+    EXPECT_EQ(read_text(folder.put("c", std::string_view("\0\r", 2))), std::string("\0\r", 2));
+    const std::string letters = "rho: 1 theta: 90";
+    std::string little;
+    std::string big;
+    for (const char letter : letters) {
+        little += {letter, '\0'};
+        big += {'\0', letter};
+    }
+    for (const std::string& wide : {little, big, "\xff\xfe" + little, "\xfe\xff" + big}) {
+        EXPECT_THAT(message_of<FormatError>([&] { read_text(folder.put("d", wide)); }),
+                    HasSubstr("is UTF-16 text; save it as UTF-8"));
+    }
+}
+
 TEST(ReadText, UnpacksGzip) {
     const TempFolder folder;
     EXPECT_EQ(read_text(gzipped(folder, long_text())), long_text());

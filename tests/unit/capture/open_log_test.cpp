@@ -131,6 +131,24 @@ TEST(OpenLog, DecimalCommasAreToldAsSuch) {
     EXPECT_NE(open_log(folder.put("b.log", text + "ODOM 0,1 0,2 0 0 0 0 7.4 h 7.4\n")), nullptr);
 }
 
+TEST(OpenLog, WhatWouldMakeALogOfATextIsTold) {
+    const TempDir folder;
+    const auto told = [&](std::string text, std::string_view from, std::string_view to) {
+        for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+            text.replace(at, from.size(), to);
+        return error_of(folder.put("a", text));
+    };
+    EXPECT_THAT(told(kCarmen, " ", ","), HasSubstr("with blanks in the place of \",\""));
+    EXPECT_THAT(told(kRadish, " ", ";"), HasSubstr("with blanks in the place of \";\""));
+    EXPECT_THAT(told(kCarmen, "ODOM", "odom"), HasSubstr("with its name in capital letters"));
+    const std::string two = std::string(kCarmen) + kCarmen;
+    EXPECT_THAT(told(two, "\n", "\r"), HasSubstr("lines that end with CR alone"));
+    std::string wide;
+    for (const char letter : two) wide += {letter, '\0'};
+    EXPECT_THAT(error_of(folder.put("b", wide)), HasSubstr("it is UTF-16 text; save it as UTF-8"));
+    EXPECT_THAT(error_of(folder.put("b", "\xff\xfe" + wide)), HasSubstr("it is UTF-16 text"));
+}
+
 TEST(OpenLog, WrongExplicitFormat) {
     const TempDir folder;
     const auto path = folder.put("a", kCarmen);
