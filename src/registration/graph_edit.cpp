@@ -124,7 +124,14 @@ GraphEdit edit_of(std::string_view text, std::size_t number, const Origin& of) {
     edit.scan = take_scan();
     if (edit.of_two()) edit.earlier = take_scan();
     for (const Number& wanted : numbers) {
-        const auto read = input::parse_number(words[next++]);
+        const std::string_view word = words[next++];
+        if (input::has_decimal_comma(word)) {
+            of.fail(number,
+                    message(HITOS_TEXT("Errors",
+                                       "found %1, with a decimal comma; expected a decimal point"),
+                            input::in_quotes(word)));
+        }
+        const auto read = input::parse_number(word);
         if (!read || !(std::abs(*read) <= wanted.greatest)) of.fail(number, expected());
         *wanted.value = *read;
     }
@@ -190,10 +197,14 @@ void check(std::span<const GraphEdit> edits, const Origin& of) {
 
 void read(std::string_view text, PlacedEdits& into, const Origin& of) {
     std::vector<GraphEdit>& edits = into.edits;
+    std::string above;  // comments on lines of their own, of the change that follows
+    text = input::without_mark(text);
     for (std::uint64_t number = 1; const auto line = input::next_line(text); ++number) {
         const std::size_t sign = std::min(line->find('#'), line->size());
         std::string_view rest = line->substr(0, sign);
         const std::size_t before = edits.size();
+        const std::string comment(input::trimmed(line->substr(std::min(sign + 1, line->size()))));
+        if (input::trimmed(*line).empty()) above.clear();
         while (!rest.empty()) {
             const std::size_t end = std::min(rest.find(';'), rest.size());
             const std::string_view change = input::trimmed(rest.substr(0, end));
@@ -206,8 +217,14 @@ void read(std::string_view text, PlacedEdits& into, const Origin& of) {
             }
             edits.push_back(edit_of(change, edits.size() + 1, of));
         }
-        if (edits.size() > before && sign < line->size())
-            edits.back().comment = on_one_line(input::trimmed(line->substr(sign + 1)));
+        if (edits.size() == before) {
+            if (!comment.empty()) above += (above.empty() ? "" : " ") + comment;
+            continue;
+        }
+        GraphEdit& edit = edits.back();
+        edit.comment =
+            on_one_line(comment.empty() || above.empty() ? above + comment : above + " " + comment);
+        above.clear();
     }
     check(edits, of);
 }
@@ -232,7 +249,7 @@ std::vector<GraphEdit> parse_graph_edits(std::string_view text) {
 
 PlacedEdits parse_vertex_edits(std::string_view text, const std::string& name) {
     PlacedEdits edits{name};
-    read(input::without_mark(text), edits, {&edits});
+    read(text, edits, {&edits});
     return edits;
 }
 

@@ -38,6 +38,22 @@ class LoopsTest : public test::ProgramTest {
         return json::parse(test::content(folder_ / folder / "summary.json"))["quality"];
     }
     std::string content(const std::string& file) const { return test::content(folder_ / file); }
+    /// The truth's file with its y axis the other way.
+    std::string mirrored_truth() const {
+        std::string mirrored;
+        std::istringstream lines(content("truth.tum"));
+        for (std::string line; std::getline(lines, line);) {
+            std::istringstream words(line);
+            std::string t;
+            double x = 0.0;
+            double y = 0.0;
+            std::string rest;
+            words >> t >> x >> y;
+            std::getline(words, rest);
+            mirrored += fmt::format("{} {} {}{}\n", t, x, -y, rest);
+        }
+        return file("mirrored.tum", mirrored);
+    }
 
     const std::string tour_ = path("tour.log");
 };
@@ -81,18 +97,7 @@ TEST_F(LoopsTest, EveryPlaceIsARowAndJudgedByTheReference) {
 }
 
 TEST_F(LoopsTest, NoneIsFalseByAMirroredReference) {
-    std::string mirrored;
-    for (const std::string& line : lines_of(content("truth.tum"))) {
-        std::istringstream words(line);
-        std::string t;
-        double x = 0.0;
-        double y = 0.0;
-        std::string rest;
-        words >> t >> x >> y;
-        std::getline(words, rest);
-        mirrored += fmt::format("{} {} {}{}\n", t, x, -y, rest);
-    }
-    const std::string reference = " --reference-trajectory " + file("mirrored.tum", mirrored);
+    const std::string reference = " --reference-trajectory " + mirrored_truth();
     const test::Outcome told = run("out", reference);
     ASSERT_EQ(told.status, 0) << told.output;
     EXPECT_THAT(told.output, HasSubstr("warning: The reference trajectory is a mirror image"));
@@ -106,6 +111,26 @@ TEST_F(LoopsTest, NoneIsFalseByAMirroredReference) {
     EXPECT_THAT(evaluated.output, HasSubstr("loops_judged 0"));
     const test::Outcome compared = test::shell(cli_ + " compare " + path("out"));
     EXPECT_THAT(compared.output, HasSubstr("warning: out: The reference trajectory is a mirror"));
+}
+
+TEST_F(LoopsTest, AStudyHasRunsWithoutAndWithAChangeByHand) {
+    ASSERT_EQ(run("plain").status, 0);
+    const json plain = quality_of("plain");
+    const json& loop = plain["loops"][0];
+    const std::string study = cli_ + " study " + tour_ +
+                              " --preset recorded --set filter.particles=5 --runs 1 --vary "
+                              "'registration.edits=,refuse " +
+                              loop["scan"].dump() + " " + loop["earlier"].dump() +
+                              "' --reference-trajectory " + mirrored_truth() + " --out " +
+                              path("study");
+    const test::Outcome told = test::shell(study);
+    ASSERT_EQ(told.status, 0) << told.output;
+    EXPECT_THAT(told.output, HasSubstr("mirror image of the path"));
+    const std::vector<std::string> rows = lines_of(content("study/quality.csv"));
+    ASSERT_EQ(rows.size(), 3U) << content("study/quality.csv");
+    // Done again it is the same study, all of whose runs are there.
+    EXPECT_EQ(test::shell(study).status, 0);
+    EXPECT_EQ(lines_of(content("study/quality.csv")), rows);
 }
 
 TEST_F(LoopsTest, WhereNoneIsClosedThoseThatWereRefusedAreJudged) {

@@ -81,6 +81,20 @@ Message components(const StudyParameter& parameter) {
                    fmt::format("{}", fmt::join(parameter.keys, ", ")));
 }
 
+/// Whether an empty value means something, as of texts that may be left out.
+bool may_be_empty(const StudyParameter& parameter) {
+    if (parameter.keys.size() != 1) return false;
+    const ConfigParameter& of = find_parameter(parameter.keys.front());
+    if (of.type != ConfigParameter::Type::text) return false;
+    try {
+        Configuracion any;
+        of.set(any, "");
+        return true;
+    } catch (const ConfigError&) {
+        return false;
+    }
+}
+
 StudyParameter from_thesis(const ThesisParameter& thesis) {
     return {std::string(thesis.name), {thesis.keys.begin(), thesis.keys.end()}, {}};
 }
@@ -165,7 +179,7 @@ StudyParameter parse_study_parameter(std::string_view assignment) {
     }
     StudyParameter parameter = find_study_parameter(input::trimmed(assignment.substr(0, sign)));
     for (const std::string_view word : split(assignment.substr(sign + 1), ',')) {
-        if (word.empty()) {
+        if (word.empty() && !may_be_empty(parameter)) {
             throw ConfigError(parameter.name, HITOS_TEXT("Errors", "found an empty value"));
         }
         if (parameter.keys.size() == 1) {

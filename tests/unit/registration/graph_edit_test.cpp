@@ -54,6 +54,22 @@ TEST(GraphEdit, LinesCommentsAndNothing) {
     EXPECT_EQ(parse_graph_edits(text_of(edits)), edits);
 }
 
+TEST(GraphEdit, ACommentAboveAChangeIsOfIt) {
+    const auto edits = parse_graph_edits(
+        "\xef\xbb\xbf# of May\r\n\r\n# two rooms that\n# look alike\nrefuse 9 1\nslip 8 # a wheel\n"
+        "# and\nslip 9 # again\n# the end\n");
+    ASSERT_EQ(edits.size(), 3U);
+    EXPECT_EQ(edits[0].comment, "two rooms that look alike");
+    EXPECT_EQ(edits[1].comment, "a wheel");
+    EXPECT_EQ(edits[2].comment, "and again");
+    EXPECT_EQ(parse_graph_edits(text_of(edits)), edits);
+}
+
+TEST(GraphEdit, DecimalCommasAreToldAsSuch) {
+    EXPECT_THAT(said_of("fix 100 10,5 3 1"),
+                HasSubstr("found \"10,5\", with a decimal comma; expected a decimal point"));
+}
+
 TEST(GraphEdit, ScansBeforeAChangeAreUntouched) {
     const std::vector<std::uint64_t> keys{0, 4, 8, 12, 20};
     const auto untouched = [&](const char* before, const char* after) {

@@ -85,6 +85,14 @@ TEST(StudyValues, AssignmentsTakeListsRangesAndTuples) {
                 ElementsAre(StudyValue{"a/b.log"}, StudyValue{"c:d:e"}));
 }
 
+TEST(StudyValues, OfTextsThatMayBeLeftOutAreEmptyToo) {
+    const StudyParameter edits = parse_study_parameter("registration.edits=,refuse 1128 1");
+    ASSERT_EQ(edits.values.size(), 2U);
+    EXPECT_THAT(edits.values[0], ElementsAre(""));
+    EXPECT_THAT(edits.values[1], ElementsAre("refuse 1128 1"));
+    EXPECT_THROW(parse_study_parameter("motion.model=,odometry"), ConfigError);
+}
+
 TEST(StudyValues, BadAssignmentsSayWhatIsWrong) {
     EXPECT_THAT(message_of<ConfigError>([] { parse_study_parameter("p"); }),
                 HasSubstr("expected name=value,value"));
