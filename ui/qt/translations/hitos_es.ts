@@ -3602,6 +3602,58 @@
         <source>found %1, with a decimal comma; expected a decimal point</source>
         <translation>se encontró %1, con coma decimal; se esperaba un punto decimal</translation>
     </message>
+    <message>
+        <source>%1 % of the readings lie beyond the greatest range of %2 m that the log states, where they go on from ray to ray as walls do, and are no points</source>
+        <translation>El %1 % de las lecturas está más allá del alcance mayor de %2 m que dice el registro, donde siguen de rayo en rayo como lo hacen las paredes, y no son puntos</translation>
+    </message>
+    <message>
+        <source>take them</source>
+        <translation>tomarlas</translation>
+    </message>
+    <message>
+        <source>%1 % of the readings of %2 lie beyond the greatest range of %3 m that it says, where they go on from ray to ray as walls do, and are no points</source>
+        <translation>El %1 % de las lecturas de %2 está más allá del alcance mayor de %3 m que dice, donde siguen de rayo en rayo como lo hacen las paredes, y no son puntos</translation>
+    </message>
+    <message>
+        <source>its positions fit the scans, so that its times are no seconds: record them in seconds</source>
+        <translation>sus posiciones encajan con los barridos, de modo que sus tiempos no son segundos: grábense en segundos</translation>
+    </message>
+    <message>
+        <source>by %1 % of the odometry readings the robot turns at some %2 degrees/s, which none of its kind does, and the scans do not lie where that puts them</source>
+        <translation>según el %1 % de las lecturas de la odometría el robot gira a unos %2 grados/s, lo que ninguno de su clase hace, y los barridos no están donde eso los pone</translation>
+    </message>
+    <message>
+        <source>if its turns are %1</source>
+        <translation>si sus giros son %1</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>grados</translation>
+    </message>
+    <message>
+        <source>between second %1 and %2 of the tour the scans move by %3 m or more while the odometry at most turns, as where wheels slip or the robot is pushed: the map is pushed together there</source>
+        <translation>entre los segundos %1 y %2 del recorrido los barridos se mueven %3 m o más mientras que la odometría a lo sumo gira, como donde patinan las ruedas o se empuja al robot: ahí se encoge el mapa</translation>
+    </message>
+    <message>
+        <source>%1 % of the readings are the greatest of their ray, %2 to %3 m, which it has over and over, as where a driver says that nothing was seen: they are taken for walls, which go with the robot</source>
+        <translation>El %1 % de las lecturas es la mayor de su rayo, de %2 a %3 m, que este repite una y otra vez, como donde un controlador dice que no se vio nada: se toman por paredes, que van con el robot</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>izquierda</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>derecha</translation>
+    </message>
+    <message>
+        <source>by the scans the odometry&apos;s heading drifts to the %2 by %1 degrees a second (%3 % of their points fit so, %4 % as it is told), as of a gyro whose zero is off: the path is bent</source>
+        <translation>según los barridos el rumbo de la odometría deriva hacia la %2 %1 grados por segundo (el %3 % de sus puntos encaja así, el %4 % tal como se dice), como de un giróscopo cuyo cero no está bien: el camino se dobla</translation>
+    </message>
+    <message>
+        <source>by the scans the odometry&apos;s heading drifts to the %2 by %1 degrees a metre (%3 % of their points fit so, %4 % as it is told), as of wheels that are not of one size: the path is bent</source>
+        <translation>según los barridos el rumbo de la odometría deriva hacia la %2 %1 grados por metro (el %3 % de sus puntos encaja así, el %4 % tal como se dice), como de ruedas que no son de un mismo tamaño: el camino se dobla</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
