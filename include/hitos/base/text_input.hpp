@@ -17,8 +17,10 @@ inline constexpr std::size_t kLargestText = std::size_t{1} << 30;
 /// Of what people write by hand: configurations, worlds; and of a study's records.
 inline constexpr std::size_t kLargestSettings = std::size_t{1} << 24;
 
-/// The whole content of a file, plain or gzip. Throws FileError where it is missing, no regular
-/// file (a device may have no end), unreadable, damaged, or greater than `largest` bytes.
+/// The whole content of a file, plain or gzip, without a byte order mark, its lines ended by "\n"
+/// where a lone "\r" ended them. Throws FileError where it is missing, no regular file (a device
+/// may have no end), unreadable, damaged or greater than `largest` bytes, FormatError where it is
+/// UTF-16.
 std::string read_text(const std::filesystem::path& path, std::size_t largest = kLargestText);
 
 /// The text without white space at both ends.
