@@ -90,8 +90,10 @@ void note_mend(Probe& result, std::string_view text) {
 
 /// Old Macs ended lines with CR alone.
 bool has_old_ends(std::string_view beginning) {
-    return beginning.find('\r') != std::string_view::npos &&
-           beginning.find('\n') == std::string_view::npos && beginning.back() != '\r';
+    const std::size_t first = beginning.find('\r');
+    // Behind the last one that was read there may be the other half of an end.
+    return first != std::string_view::npos && first + 1 < beginning.size() &&
+           beginning.find('\n') == std::string_view::npos;
 }
 
 Probe probe(const std::filesystem::path& path, const FileExtent& extent) {

@@ -149,26 +149,6 @@ void TourExamination::doubt_readings(std::vector<TourFinding>& found) const {
                                  "that the laser makes (angle_increment); if it turns all round")),
                WholeValues(read_).fan_scale(2.0 * kPi * rays / ((rays + 1.0) * turn))}}});
     }
-    constexpr double kMostSame = 0.03;  // no sound laser measures the same twice
-    constexpr std::uint64_t kLeastMoved = 20;
-    constexpr std::uint64_t kHung = 10;  // in a row
-    if ((moved_scans_ >= kLeastMoved &&
-         static_cast<double>(same_scans_) > kMostSame * static_cast<double>(moved_scans_)) ||
-        longest_same_run_ >= kHung) {
-        found.push_back(
-            {Kind::frozen_laser,
-             static_cast<double>(same_scans_) / static_cast<double>(moved_scans_),
-             message(
-                 HITOS_TEXT(
-                     "Errors",
-                     "%1 of %2 scans taken while the robot moved are the same as the one before"),
-                 same_scans_, moved_scans_),
-             {{2 * same_scans_ <= moved_scans_ && longest_same_run_ < kHung
-                   ? marked(HITOS_TEXT(
-                         "Errors",
-                         "look whether scans are published twice, or the laser's driver hung"))
-                   : marked(HITOS_TEXT("Errors", "look whether the laser's driver hung"))}}});
-    }
 }
 
 const LengthUnit* TourExamination::way_unit() const {
@@ -347,7 +327,19 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
     const bool sees = !holds(told, Kind::laser_units) && !holds(told, Kind::blind_laser);
     // Axes and units that the reader doubts explain what else does not fit.
     const bool of_axes = holds(told, Kind::sideways_odometry) || holds(told, Kind::odometry_units);
-    if (own.empty() && sees && !of_axes) doubt_fit(own);
+    std::vector<TourFinding> hung;
+    doubt_same_scans(hung);
+    const bool asked = own.empty() && sees && !of_axes;
+    if (asked) doubt_fit(own);
+    // By another clock the robot may have stood where scans seem to hang.
+    const auto of_clocks = [](const TourFinding& finding) {
+        return finding.kind == Kind::scan_delay || finding.kind == Kind::clock_set ||
+               finding.kind == Kind::clocks_apart || finding.kind == Kind::clock_speed;
+    };
+    if (!asked || std::ranges::none_of(own, of_clocks)) {
+        if (asked && !hung.empty()) own.clear();
+        std::ranges::move(hung, std::back_inserter(own));
+    }
     doubt_odometry(own);
     if (own.empty() && sees) doubt_stills(own);
     doubt_lost_rays(own);

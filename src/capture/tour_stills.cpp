@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether the odometry stands, or is not there, while the scans say that the robot drives.
+// Whether the odometry stands, or is not there, while the scans say that the robot drives; or the
+// scans stand while it drives.
 #include <cmath>
 #include <utility>
 
@@ -34,6 +35,30 @@ void TourExamination::note_still(const Pair& pair, double odometer) {
     ++still_.pairs;
     still_.end_s = pair.second.time_s;
     if (still_.pairs > longest_still_.pairs) longest_still_ = still_;
+}
+
+/// A laser that hung, or told scans twice.
+void TourExamination::doubt_same_scans(std::vector<TourFinding>& found) const {
+    constexpr double kMostSame = 0.03;  // no sound laser measures the same twice
+    constexpr std::uint64_t kLeastMoved = 20;
+    constexpr std::uint64_t kHung = 10;  // in a row
+    if ((moved_scans_ >= kLeastMoved &&
+         static_cast<double>(same_scans_) > kMostSame * static_cast<double>(moved_scans_)) ||
+        longest_same_run_ >= kHung) {
+        found.push_back(
+            {Kind::frozen_laser,
+             static_cast<double>(same_scans_) / static_cast<double>(moved_scans_),
+             message(
+                 HITOS_TEXT(
+                     "Errors",
+                     "%1 of %2 scans taken while the robot moved are the same as the one before"),
+                 same_scans_, moved_scans_),
+             {{2 * same_scans_ <= moved_scans_ && longest_same_run_ < kHung
+                   ? marked(HITOS_TEXT(
+                         "Errors",
+                         "look whether scans are published twice, or the laser's driver hung"))
+                   : marked(HITOS_TEXT("Errors", "look whether the laser's driver hung"))}}});
+    }
 }
 
 void TourExamination::doubt_stills(std::vector<TourFinding>& found) const {

@@ -185,6 +185,7 @@ class TourExamination {
     bool doubt_dead(std::vector<TourFinding>& found) const;
     void doubt_motion(std::vector<TourFinding>& found) const;
     bool beats_standing(double share) const;
+    void doubt_same_scans(std::vector<TourFinding>& found) const;
     void doubt_whole(std::vector<TourFinding>& found) const;
     bool doubt_drift(std::initializer_list<Hypothesis> otherwise,
                      std::vector<TourFinding>& found) const;
