@@ -195,6 +195,12 @@ void check(std::span<const GraphEdit> edits, const Origin& of) {
     }
 }
 
+/// With a blank between, where there are any already.
+void append_words(std::string& words, std::string_view more) {
+    if (!words.empty() && !more.empty()) words += ' ';
+    words += more;
+}
+
 void read(std::string_view text, PlacedEdits& into, const Origin& of) {
     std::vector<GraphEdit>& edits = into.edits;
     std::string above;  // comments on lines of their own, of the change that follows
@@ -218,13 +224,11 @@ void read(std::string_view text, PlacedEdits& into, const Origin& of) {
             edits.push_back(edit_of(change, edits.size() + 1, of));
         }
         if (edits.size() == before) {
-            if (!comment.empty()) above += (above.empty() ? "" : " ") + comment;
+            append_words(above, comment);
             continue;
         }
-        GraphEdit& edit = edits.back();
-        edit.comment =
-            on_one_line(comment.empty() || above.empty() ? above + comment : above + " " + comment);
-        above.clear();
+        append_words(above, comment);
+        edits.back().comment = on_one_line(std::exchange(above, {}));
     }
     check(edits, of);
 }

@@ -329,7 +329,7 @@ TEST_F(LoopsTest, ChangesThatDoNotFitAreRefusedWithTheReason) {
     for (const std::string& from : {"--preset recorded --edits " + path("made/edits.toml"),
                                     "--config " + path("made/config.cfg")}) {
         const test::Outcome refused =
-            test::shell(cli_ + " run " + other + " --out " + path("bad") + " " + from);
+            test::shell(fmt::format("{} run {} --out {} {}", cli_, other, path("bad"), from));
         EXPECT_NE(refused.status, 0);
         EXPECT_THAT(refused.output, HasSubstr("scan 50 was another one when it was made"));
     }

@@ -95,6 +95,7 @@ std::vector<Piece> pieces_of(const Points& path, const Points& reference) {
 
 double middle_unlike(const std::vector<Piece>& pieces, double scale, bool mirror) {
     std::vector<double> of_each;
+    of_each.reserve(pieces.size());
     for (const Piece& piece : pieces) of_each.push_back(piece.unlike(scale, mirror));
     return median(of_each);
 }
@@ -143,6 +144,7 @@ std::optional<Advice> doubt_of_shape(const Trajectory& path, const Trajectory& r
     const std::vector<Piece> pieces = pieces_of(own, there);
     if (pieces.size() < kFewPieces) return std::nullopt;
     std::vector<double> ratios;
+    ratios.reserve(pieces.size());
     for (const Piece& piece : pieces) ratios.push_back(piece.reference / piece.path);
     const double scale = std::sqrt(median(ratios));
     const double straight = middle_unlike(pieces, scale, false);

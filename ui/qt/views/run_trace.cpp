@@ -141,6 +141,7 @@ void draw_legend(QPainter& painter, const Scene& scene, const std::vector<RunTra
 
 std::vector<FigureEntry> entries_of(const std::vector<RunTrace>& traces) {
     std::vector<FigureEntry> entries;
+    entries.reserve(traces.size() + 1);
     for (const RunTrace& trace : traces) entries.push_back({trace.name, trace.colour});
     if (const RunTrace* with_scale = coloured(traces)) {
         entries.push_back(
