@@ -91,8 +91,8 @@ void ConnectTest::a_log_that_is_being_written_is_mapped_as_it_comes() {
     QVERIFY(!f.window->open_connection().isHidden());  // which shows it again
     const quint64 first = f.steps();
     QVERIFY(first > 100 && first < 1050);
-    QVERIFY2(f.state_words().contains("grows") || f.state_words().contains("No scan"),
-             qPrintable(f.state_words()));
+    QTRY_VERIFY2(f.state_words().contains("grows") || f.state_words().contains("No scan"),
+                 qPrintable(f.state_words()));
     auto* said = f.window->findChild<QLabel*>("status_state");
     QTRY_VERIFY2(said->text().startsWith("Live"), qPrintable(said->text()));
     QVERIFY(!f.action("action_study")->isEnabled());

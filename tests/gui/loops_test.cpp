@@ -327,7 +327,7 @@ void InspectTest::keys_take_changes_back_from_the_panel_of_loops() {
         QTest::keyClick(&f.button(change), Qt::Key_Space);
         QTRY_VERIFY(!f.edits().empty() && f.shows_everything());
         QVERIFY(!f.button(change).isEnabled());
-        QCOMPARE(QApplication::focusWidget(), &f.dock().table());
+        QTRY_COMPARE(QApplication::focusWidget(), &f.dock().table());
         undone_from(&f.dock().table());
         f.press(change);
         QTRY_VERIFY(!f.edits().empty() && f.shows_everything());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "loop_table.hpp"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
@@ -402,8 +403,11 @@ void LoopTable::refresh() {
     const bool redone =
         !snapshot && scroll_->isVisible() && session_.progress().state == Progress::State::running;
     const bool there = (snapshot && !snapshot->keys.empty()) || redone;
+    // Hidden for a moment, it gives the focus away.
+    if (!there && scroll_->isAncestorOf(QApplication::focusWidget())) had_focus_ = true;
     scroll_->setVisible(there);
     none_->setVisible(!there);
+    if (there && std::exchange(had_focus_, false)) table_->setFocus();
     for (QSpinBox* number : {scan_, earlier_}) {
         const QSignalBlocker quiet(number);
         const int most = there && snapshot ? static_cast<int>(snapshot->steps) : number->maximum();

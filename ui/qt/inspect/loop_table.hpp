@@ -101,7 +101,8 @@ class LoopTable final : public QWidget {
     EditList* edits_;
     std::vector<RunLoop> loops_;  // of the run
     std::optional<RunLoop> chosen_;
-    bool proposed_ = false;  // chosen_ need not be of the run
+    bool proposed_ = false;   // chosen_ need not be of the run
+    bool had_focus_ = false;  // before there was nothing to show for a moment
     std::optional<std::uint64_t> first_place_;
     QTimer timer_;
     std::future<LoopRecord> fitted_;
