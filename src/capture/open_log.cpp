@@ -128,7 +128,8 @@ Probe probe(const std::filesystem::path& path, const FileExtent& extent) {
         }
         const std::optional<std::size_t> format = format_of_line(line->text);
         if (!format) {
-            if (!comment) note_mend(result, line->text);
+            // Asked only of a file that none claims.
+            if (!comment && result.claimed == 0) note_mend(result, line->text);
             continue;
         }
         ++result.claimed;

@@ -163,10 +163,11 @@ bool TourExamination::doubt_cut_fan(const Fit& fit, const Hypothesis& otherwise,
         }
     }
     const double told = fit(closely());
-    const BestFit middle = best_slight_fan(fit, fan_);
-    const double rival = std::max(fit(closely(otherwise)), middle.agreement);
-    if (best.agreement < std::max({kLeastTold, kTimes * told + kMore, kTimes * rival + kMore}))
+    const auto beaten_by = [&](double rival) { return best.agreement < kTimes * rival + kMore; };
+    if (best.agreement < kLeastTold || beaten_by(told) || beaten_by(fit(closely(otherwise))) ||
+        beaten_by(best_slight_fan(fit, fan_).agreement)) {
         return false;
+    }
     const BestFit longer = best_range_offset(fit, closely(), kOffsetStep, kOffsetSteps);
     if (!beats_rivals(fit, best, longer)) return false;
     tell_fan(fit, told, best, found);

@@ -115,10 +115,12 @@ bool TourExamination::doubt_drift(std::initializer_list<Hypothesis> otherwise,
     const BestFit& best = timed ? by_time : by_way;
     const double rate = timed ? best.hypothesis.drift_rad_s : best.hypothesis.drift_rad_m;
     const double told = fit(closely());
-    double rival = std::max(told, best_turn_scale(fit).agreement);
-    for (const Hypothesis& other : otherwise) rival = std::max(rival, fit(closely(other)));
+    const auto beaten_by = [&](double rival) { return best.agreement < kTimes * rival + kMore; };
     if (std::abs(rate) < (kSlight - 0.5) * (timed ? kPerSecond : kPerMetre) ||
-        best.agreement < std::max(kLeast, kTimes * rival + kMore)) {
+        best.agreement < kLeast || beaten_by(told) ||
+        std::ranges::any_of(
+            otherwise, [&](const Hypothesis& other) { return beaten_by(fit(closely(other))); }) ||
+        beaten_by(best_turn_scale(fit).agreement)) {
         return false;
     }
     const std::string degrees = fmt::format("{:.1f}", std::abs(rate) * kDegreesPerRadian);
