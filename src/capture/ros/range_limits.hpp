@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hitos/capture/tour_finding.hpp"
+#include "hitos/capture/tour_reader.hpp"
 #include "ros/laser_fan.hpp"
 
 namespace hitos {
