@@ -12,6 +12,7 @@ namespace hitos::test {
 namespace {
 
 using nlohmann::json;
+using ::testing::HasSubstr;
 
 class CommandLine : public ProgramTest {
   protected:
