@@ -8,7 +8,6 @@ namespace {
 
 using Kind = TourFinding::Kind;
 
-constexpr double kDay = 86400.0;  // [s]
 constexpr double kNoPace = 60.0;  // of a laser's scans [s]
 
 Remedy one_clock() {
