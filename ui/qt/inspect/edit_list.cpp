@@ -17,6 +17,7 @@
 #include "look/flow_layout.hpp"
 #include "look/parameter_text.hpp"
 #include "look/undo_keys.hpp"
+#include "look/words_of.hpp"
 #include "written_pose.hpp"
 
 namespace hitos::window {

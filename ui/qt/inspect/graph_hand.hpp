@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "hitos/registration/graph_edit.hpp"
+#include "hitos/slam/planar_graph.hpp"
 
 class QLineEdit;
 class QPushButton;

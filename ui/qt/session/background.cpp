@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <QCoreApplication>
+#include <QCursor>
 #include <QEventLoop>
 #include <QGuiApplication>
 #include <QScopeGuard>
