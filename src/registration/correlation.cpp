@@ -171,15 +171,33 @@ class BestFirst {
                map.levels() < 1 << Square::kLevelBits &&
                points.size() < (std::size_t{1} << Square::kSumBits) / CorrelationMap::kMost);
         turn(points);
-        const int width = 1 << map.levels();
+    }
+
+    /// Puts all squares of the coarsest level, one by one.
+    void begin() {
+        const int width = 1 << map_.levels();
         for (int x = 0; x <= 2 * reach_; x += width) {
             for (int y = 0; y <= 2 * reach_; y += width) {
-                if (!mask_.holds(x, y, map.levels())) continue;
                 for (int angle = 0; angle <= 2 * angles_; ++angle) {
                     const int sum =
-                        map_.sum(turned(angle), x - reach_, y - reach_, map.levels(), least_);
-                    if (sum >= least_) open_.push({sum, map.levels(), angle, x, y});
+                        map_.sum(turned(angle), x - reach_, y - reach_, map_.levels(), least_);
+                    if (sum >= least_) open_.push({sum, map_.levels(), angle, x, y});
                 }
+            }
+        }
+    }
+    /// The same of those that the mask holds, some at a time.
+    void begin(const SquareLattice& lattice) {
+        const int level = map_.levels();
+        const int last = (2 * reach_) >> level;
+        constexpr int kAcross = SquareLattice::kAcross;
+        for (int j = 0; j <= last; ++j) {
+            for (int first = 0; first <= last; first += kAcross) {
+                std::vector<int> held;  // of these, counted from the first
+                for (int i = first; i <= std::min(last, first + kAcross - 1); ++i) {
+                    if (mask_.holds(i << level, j << level, level)) held.push_back(i - first);
+                }
+                if (!held.empty()) put(lattice, first << level, j << level, held);
             }
         }
     }
@@ -231,6 +249,17 @@ class BestFirst {
     const CorrelationMap::Pattern& turned(int angle) const {
         return turned_[static_cast<std::size_t>(angle)];
     }
+    void put(const SquareLattice& lattice, int x, int y, const std::vector<int>& held) {
+        const int level = map_.levels();
+        for (int angle = 0; angle <= 2 * angles_; ++angle) {
+            const SquareLattice::Sums bounds =
+                lattice.bounds(turned(angle), x - reach_, y - reach_);
+            for (const int i : held) {
+                const int bound = bounds[static_cast<std::size_t>(i)];
+                if (bound >= least_) open_.push({bound, level, angle, x + (i << level), y});
+            }
+        }
+    }
     /// Puts its quarters in its place.
     void open(const Square& square) {
         const int level = square.level() - 1;
@@ -267,13 +296,15 @@ std::optional<Correlation> correlate(std::span<const SurfacePoint> points,
                                      const SearchWindow& window, double least_score) {
     constexpr int kMostOpened = 20000;
     if (points.empty()) return std::nullopt;
-    return BestFirst(points, map, centre, window, least_score)
-        .next(kMostOpened, least_score, [](const Square&) { return false; });
+    BestFirst search(points, map, centre, window, least_score);
+    search.begin();
+    return search.next(kMostOpened, least_score, [](const Square&) { return false; });
 }
 
 BestPlaces best_places(std::span<const SurfacePoint> points, const CorrelationMap& map,
-                       std::span<const Point2> positions, const PlacesWanted& wanted) {
-    constexpr int kMostOpened = 300000;
+                       const SquareLattice& lattice, std::span<const Point2> positions,
+                       const PlacesWanted& wanted) {
+    constexpr int kMostOpened = 100000;
     constexpr double kApart = 2.0;      // [m]
     constexpr double kApartTurn = 0.5;  // [rad]
     if (points.empty() || positions.empty()) return {};
@@ -285,6 +316,7 @@ BestPlaces best_places(std::span<const SurfacePoint> points, const CorrelationMa
         0.5 * std::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
     BestFirst search(points, map, centre, {half_m + wanted.within_m, kPi}, wanted.least_score,
                      positions, wanted.within_m);
+    search.begin(lattice);
     BestPlaces found;
     std::vector<Correlation>& places = found.places;
     const auto beside_one = [&](const Square& square) {

@@ -9,6 +9,7 @@
 
 #include "correlation_map.hpp"
 #include "hitos/base/geometry.hpp"
+#include "square_lattice.hpp"
 #include "surface_points.hpp"
 
 namespace hitos {
@@ -41,11 +42,13 @@ struct PlacesWanted {
 
 struct BestPlaces {
     std::vector<Correlation> places;  ///< each 2 m or 0.5 rad from every other one, best first
-    bool all = true;  ///< false where 300 000 squares were opened without an end: some are missing
+    bool all = true;  ///< false where 100 000 squares were opened without an end: some are missing
 };
 
-/// The places about `positions`, at any heading, that correlate best.
+/// The places about `positions`, at any heading, that correlate best; of up to
+/// SquareLattice::kMostCells points, with the map's lattice.
 BestPlaces best_places(std::span<const SurfacePoint> points, const CorrelationMap& map,
-                       std::span<const Point2> positions, const PlacesWanted& wanted);
+                       const SquareLattice& lattice, std::span<const Point2> positions,
+                       const PlacesWanted& wanted);
 
 }  // namespace hitos

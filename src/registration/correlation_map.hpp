@@ -24,6 +24,10 @@ class CorrelationMap {
     CorrelationMap(const PointMap& map, double half_m, int levels);
 
     int levels() const { return static_cast<int>(pictures_.size()) - 1; }
+    int columns() const { return columns_; }
+    int rows() const { return rows_; }
+    /// Row by row.
+    std::span<const std::uint8_t> coarsest() const { return pictures_.back(); }
     struct Cell {
         int column;
         int row;

@@ -116,6 +116,7 @@ class LoopCloser {
         std::size_t piece;              // its first key
         std::vector<Point2> positions;  // of the keys
         CorrelationMap picture;
+        SquareLattice squares;
     };
     /// What is looked for: the last metres, of so many keys.
     struct Query {

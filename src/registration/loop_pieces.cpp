@@ -41,7 +41,7 @@ std::vector<std::uint32_t> keys_about(const KeyGraph& graph, const CarriedPiece&
 const LoopCloser::Before& LoopCloser::all_before(const KeyGraph& graph, const CarriedPiece& piece) {
     constexpr double kMargin = 20.0;     // [m] about the keys, what they see of walls
     constexpr double kGreatest = 200.0;  // [m] either way: 16 million cells a picture
-    constexpr int kLevels = 6;
+    constexpr int kLevels = 4;
     if (before_ && before_->piece == piece.first) return *before_;
     std::vector<std::uint32_t> keys;
     std::vector<Point2> positions;
@@ -61,8 +61,10 @@ const LoopCloser::Before& LoopCloser::all_before(const KeyGraph& graph, const Ca
     });
     PointMap map;
     build_map(graph, keys, centre, half_m, map);
+    CorrelationMap picture(map, half_m, kLevels);
+    SquareLattice squares(picture);
     before_ = std::make_shared<const Before>(
-        Before{piece.first, std::move(positions), {map, half_m, kLevels}});
+        Before{piece.first, std::move(positions), std::move(picture), std::move(squares)});
     return *before_;
 }
 
@@ -102,8 +104,9 @@ std::optional<LoopFound> LoopCloser::single_place(const KeyGraph& graph, const C
             compose(*piece.start, between(graph.poses[piece.first].pose, graph.poses[newest].pose));
         about.push_back({said->x, said->y});
     }
-    BestPlaces best = best_places(few, before.picture, said ? about : before.positions,
-                                  {.least_score = params_.loop_score});
+    BestPlaces best =
+        best_places(few, before.picture, before.squares, said ? about : before.positions,
+                    {.least_score = params_.loop_score});
     std::erase_if(best.places, [&said](const Correlation& place) {
         return said && std::abs(wrap_angle(place.pose.theta - said->theta)) > kSaidHeading;
     });
