@@ -112,6 +112,41 @@ TEST(Correlation, QuartersAreTheSumsOfTheirCellsInTheMapAndBeyondItsEdge) {
     EXPECT_GT(summed(0, 0, 0), 255 * static_cast<int>(single.size()) / 2);
 }
 
+TEST(Correlation, ALatticeBoundsTheSumsOfARowOfSquaresInTheMapAndBeyondItsEdge) {
+    const Walls room = test::recess_room();
+    const CorrelationMap picture(map_of(room, {}), 20.0, 3);
+    const SquareLattice lattice(picture);
+    const int side = 8;
+    std::vector<CorrelationMap::Cell> cells;
+    for (const SurfacePoint& p : test::drawn_points(room, {0.2, -0.1, 0.5})) {
+        if (cells.size() < SquareLattice::kMostCells)
+            cells.push_back(picture.cell(static_cast<double>(p.x), static_cast<double>(p.y)));
+    }
+    const CorrelationMap::Pattern all(cells);
+    const CorrelationMap::Pattern one({cells.front()});
+    int nothing = 0;
+    for (int y = -300; y <= 300; y += 17) {
+        for (int x = -700; x <= 300; x += 61) {
+            const SquareLattice::Sums bounds = lattice.bounds(all, x, y);
+            const SquareLattice::Sums of_one = lattice.bounds(one, x, y);
+            for (int i = 0; i < static_cast<int>(SquareLattice::kAcross); ++i) {
+                const auto place = static_cast<std::size_t>(i);
+                const int sum = picture.sum(all, x + i * side, y, 3);
+                EXPECT_GE(bounds[place], sum);
+                if (bounds[place] == 0) ++nothing;
+                // No cell reaches further than what four cells of the picture are joined to.
+                int most = 0;
+                for (int v = -3; v <= 3; ++v) {
+                    for (int u = -3; u <= 3; ++u)
+                        most = std::max(most, picture.sum(one, x + i * side + u, y + v, 3));
+                }
+                EXPECT_LE(of_one[place], most);
+            }
+        }
+    }
+    EXPECT_GT(nothing, 0);
+}
+
 TEST(Correlation, IsTheBestOfAllThatCouldBeTried) {
     const Walls room = test::recess_room();
     const PointMap map = map_of(room, {0.0, 0.0, 0.3});
@@ -151,7 +186,8 @@ TEST(Correlation, FindsAllPlacesThatAreAlikeAndNoneElsewhere) {
     map.add(test::drawn_points(room, {}), {}, 0);
     map.add(test::drawn_points(room, {}), second, 1);
     map.build();
-    const CorrelationMap picture(map, 40.0, 6);
+    const CorrelationMap picture(map, 40.0, 4);
+    const SquareLattice squares(picture);
     const Pose inside{0.2, -0.1, 0.3};
     const std::vector<SurfacePoint> scan = test::drawn_points(room, inside);
     const auto near = [](const Pose& a, const Pose& b) {
@@ -160,7 +196,8 @@ TEST(Correlation, FindsAllPlacesThatAreAlikeAndNoneElsewhere) {
     };
     const PlacesWanted wanted{.least_score = 0.5};
     const std::vector<Point2> everywhere{{0.0, 0.0}, {20.0, 3.0}, {10.0, -15.0}};
-    const std::vector<Correlation> both = best_places(scan, picture, everywhere, wanted).places;
+    const std::vector<Correlation> both =
+        best_places(scan, picture, squares, everywhere, wanted).places;
     ASSERT_GE(both.size(), 2U);
     for (const Pose& pose : {inside, compose(second, inside)}) {
         EXPECT_TRUE(near(both[0].pose, pose) || near(both[1].pose, pose));
@@ -172,13 +209,14 @@ TEST(Correlation, FindsAllPlacesThatAreAlikeAndNoneElsewhere) {
     }
 
     const std::vector<Correlation> one =
-        best_places(scan, picture, std::vector<Point2>{{19.0, 4.0}}, wanted).places;
+        best_places(scan, picture, squares, std::vector<Point2>{{19.0, 4.0}}, wanted).places;
     ASSERT_FALSE(one.empty());
     EXPECT_TRUE(near(one[0].pose, compose(second, inside)));
     for (const Correlation& place : one) {
         EXPECT_LT(std::abs(place.pose.x - 19.0), 4.0);  // within 3 m, and a square's side
     }
-    const BestPlaces none = best_places(scan, picture, std::vector<Point2>{{10.0, -15.0}}, wanted);
+    const BestPlaces none =
+        best_places(scan, picture, squares, std::vector<Point2>{{10.0, -15.0}}, wanted);
     EXPECT_TRUE(none.places.empty());
     EXPECT_TRUE(none.all);
 }
