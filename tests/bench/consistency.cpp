@@ -28,13 +28,6 @@ namespace {
 
 using namespace hitos;
 
-/// The value that a chi-square variable of many degrees of freedom stays below with probability
-/// Phi(z) (Wilson and Hilferty, 1931); right to 0.1 % from 30 degrees on.
-double chi_square_quantile(double degrees, double z) {
-    const double a = 2.0 / (9.0 * degrees);
-    return degrees * std::pow(1.0 - a + z * std::sqrt(a), 3.0);
-}
-
 struct Scenario {
     const char* name;
     const char* world;
@@ -122,9 +115,7 @@ void study(const Scenario& scenario, int runs, std::ofstream& steps) {
         landmarks += run.landmarks;
     }
     const double n = runs;
-    constexpr double kZ = 1.959964;
-    const double low = chi_square_quantile(3.0 * n, -kZ) / n;
-    const double high = chi_square_quantile(3.0 * n, kZ) / n;
+    const NeesInterval band = nees_interval(runs, 3);
     int counted = 0;
     int inside = 0;
     int above = 0;
@@ -134,8 +125,8 @@ void study(const Scenario& scenario, int runs, std::ofstream& steps) {
         const double average = sums[k] / n;
         if (std::isnan(average)) continue;
         ++counted;
-        inside += average >= low && average <= high ? 1 : 0;
-        above += average > high ? 1 : 0;
+        inside += average >= band.low && average <= band.high ? 1 : 0;
+        above += average > band.high ? 1 : 0;
         mean += average;
         averages.push_back(average);
         if (steps) steps << fmt::format("\"{}\",{},{:.4f}\n", scenario.name, k, average);
@@ -172,12 +163,11 @@ int main(int argc, char** argv) {
         }
         steps << "scenario,scan,nees\n";
     }
-    const double n = runs;
+    const NeesInterval band = nees_interval(runs, 3);
     fmt::print(
         "EKF-SLAM, {} runs; pose NEES: 3 where the covariance tells the truth, 95 % band "
         "of the mean {:.2f} to {:.2f}\n",
-        runs, chi_square_quantile(3.0 * n, -1.959964) / n,
-        chi_square_quantile(3.0 * n, 1.959964) / n);
+        runs, band.low, band.high);
     fmt::print("{:<34} {:>5} {:>6} {:>9}  {:>7}   {:>6}  {:>8} {:>9}\n", "scenario", "scans",
                "mean", "2nd half", "in band", "above", "rmse_m", "landmarks");
     const auto lines = Detection::lines;

@@ -9,15 +9,13 @@
 #include <span>
 #include <vector>
 
+#include "hitos/services/evaluation/nees.hpp"
 #include "hitos/services/files/line_extents.hpp"
 #include "hitos/services/files/map_file.hpp"
 
 namespace hitos {
 
 class SlamFilter;
-
-/// The probabilities of the regions that are looked at.
-inline constexpr std::array kRegions{0.5, 0.68, 0.95, 0.99};
 
 /// The probability that a chi-square variable with 1, 2 or 3 degrees of freedom is at most
 /// x (Abramowitz and Stegun, Handbook of Mathematical Functions, 1964, 26.4.4 and 26.4.5).

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 
 #include "hitos/base/geometry.hpp"
@@ -21,5 +22,18 @@ std::optional<double> pose_nees(const Pose& estimate, const Eigen::Matrix3d& cov
 inline constexpr double kNeesMean = 3.0;
 inline constexpr double kNeesLow = 0.21579528;
 inline constexpr double kNeesHigh = 9.3484036;
+
+/// Between which the mean of so many independent values, of so many degrees of freedom each, lies
+/// in 95 of 100 cases where the covariances tell the truth, 2.5 on either side: `values` times it
+/// is a chi-square variable of values * degrees degrees of freedom (the same book, section 5.4.2,
+/// for Monte Carlo runs). Both numbers are at least 1.
+struct NeesInterval {
+    double low = 0.0;
+    double high = 0.0;
+};
+NeesInterval nees_interval(int values, int degrees);
+
+/// The probabilities of the regions that a filter's calibration is told by.
+inline constexpr std::array kRegions{0.5, 0.68, 0.95, 0.99};
 
 }  // namespace hitos

@@ -28,6 +28,42 @@ TEST(Calibration, KnowsTheQuantilesOfTheTables) {
     EXPECT_EQ(chi_square_probability(std::nan(""), 3), 0.0);
 }
 
+TEST(NeesInterval, HasItsProbabilityAtEitherEnd) {
+    for (const int degrees : {1, 2, 3}) {
+        const NeesInterval one = nees_interval(1, degrees);
+        EXPECT_NEAR(chi_square_probability(one.low, degrees), 0.025, 1e-12);
+        EXPECT_NEAR(chi_square_probability(one.high, degrees), 0.975, 1e-12);
+    }
+    EXPECT_NEAR(nees_interval(1, 3).low, kNeesLow, 1e-7);
+    EXPECT_NEAR(nees_interval(1, 3).high, kNeesHigh, 1e-6);
+    // Bar-Shalom, Li and Kirubarajan, section 5.4.2: fifty runs of two values.
+    EXPECT_NEAR(nees_interval(50, 2).low, 1.48, 0.005);
+    EXPECT_NEAR(nees_interval(50, 2).high, 2.59, 0.005);
+}
+
+TEST(NeesInterval, HoldsTheMeansOfIndependentRuns) {
+    constexpr int kRuns = 10;
+    constexpr int kCases = 20000;
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> normal;
+    const NeesInterval interval = nees_interval(kRuns, 2);
+    int below = 0;
+    int above = 0;
+    for (int i = 0; i < kCases; ++i) {
+        double sum = 0.0;
+        for (int value = 0; value < 2 * kRuns; ++value) {
+            const double error = normal(random);
+            sum += error * error;
+        }
+        below += sum / kRuns < interval.low ? 1 : 0;
+        above += sum / kRuns > interval.high ? 1 : 0;
+    }
+    // Four standard deviations of a binomial variable.
+    const double slack = 4.0 * std::sqrt(0.025 * 0.975 / kCases);
+    EXPECT_NEAR(static_cast<double>(below) / kCases, 0.025, slack);
+    EXPECT_NEAR(static_cast<double>(above) / kCases, 0.025, slack);
+}
+
 TEST(Calibration, OfTrueCovariancesEveryRegionHoldsItsShare) {
     std::mt19937 random(7);
     std::normal_distribution<double> normal;
