@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calibration_plot.hpp"
+#include "calibration_table.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/staged_files.hpp"
@@ -114,6 +115,13 @@ std::string in_address(const std::filesystem::path& path) {
     return address;
 }
 
+TextTable calibration_of(const BenchmarkTable& table) {
+    std::vector<study::CalibrationRow> rows;
+    for (const BenchmarkRow& row : table.rows)
+        rows.push_back({{row.tour, row.algorithm}, &row.figures});
+    return study::calibration_table({"tour", "algorithm"}, rows);
+}
+
 std::string costs_words(const BenchmarkTable& table) {
     const TextTable costs = benchmark_costs(table);
     if (costs.rows.empty()) return {};
@@ -138,6 +146,10 @@ std::string benchmark_html(const BenchmarkTable& table, const std::filesystem::p
         if (!line->empty()) html += fmt::format("<p>{}</p>\n", in_html(*line));
     }
     if (const TextTable costs = benchmark_costs(table); !costs.rows.empty()) add_table(html, costs);
+    if (const TextTable truth = calibration_of(table); !truth.rows.empty()) {
+        html += fmt::format("<p>{}</p>\n", in_html(study::kCalibrationWords));
+        add_table(html, truth);
+    }
     const std::string plot = std::string(study::kCalibrationPlot) + ".svg";
     if (std::error_code none; std::filesystem::exists(out / plot, none)) {
         html += fmt::format(
@@ -169,6 +181,10 @@ std::string benchmark_csv(const BenchmarkTable& table) {
         text.head.emplace_back(word);
     for (const char* stage : kRunStages) text.head.push_back(fmt::format("{}_seconds", stage));
     text.head.emplace_back("state_bytes");
+    std::vector<const ByMeasure<Spread>*> all;
+    for (const BenchmarkRow& row : table.rows) all.push_back(&row.figures);
+    const study::IntervalColumns intervals(all);
+    for (auto& [column, none] : intervals.of({})) text.head.push_back(std::move(column));
     for (const BenchmarkRow& row : table.rows) {
         std::vector<std::string> fields{row.tour, row.algorithm, row.peer ? "1" : "0",
                                         fmt::format("{}", row.runs), fmt::format("{}", row.failed)};
@@ -190,6 +206,7 @@ std::string benchmark_csv(const BenchmarkTable& table) {
         for (std::size_t i = 0; i < kRunStages.size(); ++i)
             fields.push_back(row.stages ? fmt::format("{:.6f}", row.stages->at(i)) : "");
         fields.push_back(row.stages ? fmt::format("{:.0f}", row.state_bytes) : "");
+        for (auto& [column, limit] : intervals.of(row.figures)) fields.push_back(std::move(limit));
         text.rows.push_back(std::move(fields));
     }
     return csv(text);
@@ -332,8 +349,10 @@ Message write_benchmark(const BenchmarkTable& table, const std::filesystem::path
     const std::string heading = fmt::format("# {}\n\n", on_one_line(table.title));
     const std::vector<std::pair<const char*, std::string>> texts{
         {"benchmark.csv", benchmark_csv(table)},
-        {"benchmark.md", heading + markdown(words) + "\n" + remarks(table) + costs_words(table)},
-        {"benchmark.tex", latex(benchmark_table(table, true))},
+        {"benchmark.md", heading + markdown(words) + "\n" + remarks(table) + costs_words(table) +
+                             study::below(calibration_of(table), markdown)},
+        {"benchmark.tex",
+         latex(benchmark_table(table, true)) + study::below(calibration_of(table), latex, "% ")},
         {"benchmark.html", benchmark_html(table, out)},
         {kJson, benchmark_json(table) + "\n"}};
     std::vector<std::filesystem::path> files;

@@ -9,31 +9,14 @@
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/services/drawing/gnuplot.hpp"
+#include "hitos/services/study/calibration_figures.hpp"
 #include "json_input.hpp"
 
 namespace hitos::study {
 namespace {
 
-constexpr std::array kRegionWords{"50", "68", "95", "99"};
-
-struct Panel {
-    const char* of;  // as measures' words begin
-    const char* title;
-};
-constexpr std::array kPanels{Panel{"pose", "poses"}, Panel{"landmark", "landmarks"},
-                             Panel{"distance", "distances"}};
-
-std::string word_of(const char* of, const char* region) {
-    return fmt::format("{}_in_{}", of, region);
-}
-
-std::optional<double> share(const ByMeasure<Spread>& figures, const char* of, const char* region) {
-    const std::optional<Spread>& spread = figures[word_of(of, region)];
-    return spread ? std::optional(spread->mean) : std::nullopt;
-}
-
-bool has(const CalibrationCurve& curve, const Panel& panel) {
-    return share(*curve.figures, panel.of, kRegionWords.front()).has_value();
+bool has(const CalibrationCurve& curve, const CalibrationKind& kind) {
+    return has_shares(*curve.figures, kind);
 }
 
 /// A block for each curve: what it ought to be, and the shares of the panels.
@@ -41,10 +24,10 @@ std::string data_text(std::span<const CalibrationCurve> curves) {
     std::string text = "# expected poses landmarks distances\n";
     for (const CalibrationCurve& curve : curves) {
         if (&curve != &curves.front()) text += "\n\n";
-        for (const char* region : kRegionWords) {
-            text += fmt::format("0.{}", region);
-            for (const Panel& panel : kPanels) {
-                const auto seen = share(*curve.figures, panel.of, region);
+        for (std::size_t region = 0; region < kRegions.size(); ++region) {
+            text += fmt::format("{:.2f}", kRegions.at(region));
+            for (const CalibrationKind& kind : kCalibrationKinds) {
+                const auto seen = shares_in_regions(*curve.figures, kind).at(region);
                 text += seen ? fmt::format(" {}", *seen) : " NaN";
             }
             text += '\n';
@@ -55,9 +38,11 @@ std::string data_text(std::span<const CalibrationCurve> curves) {
 
 std::string script_text(const std::string& stem, std::span<const CalibrationCurve> curves) {
     std::vector<std::size_t> panels;
-    for (std::size_t i = 0; i < kPanels.size(); ++i) {
-        if (std::ranges::any_of(curves, [&](const auto& one) { return has(one, kPanels.at(i)); }))
-            panels.push_back(i);
+    for (std::size_t i = 0; i < kCalibrationKinds.size(); ++i) {
+        const auto has_it = [&](const CalibrationCurve& curve) {
+            return has(curve, kCalibrationKinds.at(i));
+        };
+        if (std::ranges::any_of(curves, has_it)) panels.push_back(i);
     }
     constexpr int kWidth = 430;  // pixels, of a panel
     constexpr std::size_t kLetter = 9;
@@ -80,7 +65,8 @@ std::string script_text(const std::string& stem, std::span<const CalibrationCurv
         const bool last = at + 1 == panels.size();
         const int left = kWidth * static_cast<int>(at);
         body += last ? "set key at screen 0.995,0.9 right top noenhanced\n" : "set key off\n";
-        body += fmt::format("set title 'true {} in the region'\n", kPanels.at(place).title);
+        body +=
+            fmt::format("set title 'true {} in the region'\n", kCalibrationKinds.at(place).name);
         body += fmt::format("set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n",
                             static_cast<double>(left + kAxis) / width,
                             static_cast<double>(left + kWidth - kGap) / width);
@@ -109,12 +95,13 @@ std::string script_text(const std::string& stem, std::span<const CalibrationCurv
 
 ByMeasure<Spread> mean_shares(std::span<const ByMeasure<Spread>* const> rows) {
     ByMeasure<Spread> mean;
-    for (const Panel& panel : kPanels) {
-        for (const char* region : kRegionWords) {
+    for (const CalibrationKind& kind : kCalibrationKinds) {
+        for (const double region : kRegions) {
+            const std::string word = word_of_share(kind, region);
             std::vector<double> shares;
             for (const ByMeasure<Spread>* row : rows)
-                if (const auto seen = share(*row, panel.of, region)) shares.push_back(*seen);
-            mean[word_of(panel.of, region)] = spread_of(shares);
+                if (const auto& seen = (*row)[word]) shares.push_back(seen->mean);
+            mean[word] = spread_of(shares);
         }
     }
     return mean;
@@ -123,7 +110,8 @@ ByMeasure<Spread> mean_shares(std::span<const ByMeasure<Spread>* const> rows) {
 Message write_calibration(const StudyLayout& layout, std::vector<CalibrationCurve> curves) {
     constexpr std::size_t kLongestName = 60;
     std::erase_if(curves, [](const CalibrationCurve& curve) {  // such as another program's
-        return std::ranges::none_of(kPanels, [&](const Panel& panel) { return has(curve, panel); });
+        return std::ranges::none_of(kCalibrationKinds,
+                                    [&](const CalibrationKind& kind) { return has(curve, kind); });
     });
     if (curves.empty()) return {};
     for (CalibrationCurve& curve : curves)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "calibration_table.hpp"
 #include "hitos/base/plural.hpp"
 #include "hitos/base/text_table.hpp"
 #include "hitos/services/study/study_result.hpp"
@@ -41,9 +42,7 @@ class Rows {
     TextTable table_;
 };
 
-/// With the digits that the thesis prints. What belongs to a reference map stands wherever there is
-/// one, even without a figure.
-TextTable pretty_table(const StudyPlan& plan, std::span<const StudyCell> cells, bool in_latex) {
+std::vector<std::string> columns_of(const StudyPlan& plan) {
     std::vector<std::string> keys;
     for (const StudyPlan::Axis& axis : plan.axes) {
         for (std::size_t i = 0; i < axis.keys.size(); ++i) {
@@ -51,6 +50,12 @@ TextTable pretty_table(const StudyPlan& plan, std::span<const StudyCell> cells, 
                 with_unit(axis.keys.size() == 1 ? axis.name : axis.keys[i], axis.units[i]));
         }
     }
+    return keys;
+}
+
+/// With the digits that the thesis prints. What belongs to a reference map stands wherever there is
+/// one, even without a figure.
+TextTable pretty_table(const StudyPlan& plan, std::span<const StudyCell> cells, bool in_latex) {
     std::vector<const Measure*> measures = taken_measures();
     std::erase_if(measures, [&](const Measure* measure) {
         return measure->detail || (!(measure->of_landmarks() && plan.has_reference()) &&
@@ -59,7 +64,7 @@ TextTable pretty_table(const StudyPlan& plan, std::span<const StudyCell> cells, 
     const auto unit_of = [&](std::string unit) {
         return in_latex ? std::move(unit) : printed_unit(std::move(unit));
     };
-    Rows rows(std::move(keys));
+    Rows rows(columns_of(plan));
     for (const StudyCell& cell : cells) {
         rows.begin(cell.texts);
         rows.add("runs", cell.failed == 0
@@ -79,6 +84,12 @@ TextTable pretty_table(const StudyPlan& plan, std::span<const StudyCell> cells, 
         }
     }
     return rows.table();
+}
+
+TextTable calibration_of(const StudyPlan& plan, std::span<const StudyCell> cells) {
+    std::vector<study::CalibrationRow> rows;
+    for (const StudyCell& cell : cells) rows.push_back({cell.texts, &cell.figures});
+    return study::calibration_table(columns_of(plan), rows);
 }
 
 /// "line 17: …"; empty where nothing was skipped.
@@ -250,6 +261,9 @@ std::string timing_csv(const StudyPlan& plan, std::span<const StudyRecord> recor
 
 std::string summary_csv(const StudyPlan& plan, std::span<const StudyCell> cells) {
     const auto has_any = [&](const Measure& measure) { return has_figures(cells, measure); };
+    std::vector<const ByMeasure<Spread>*> all;
+    for (const StudyCell& cell : cells) all.push_back(&cell.figures);
+    const study::IntervalColumns intervals(all);
     Rows rows(plan.keys());
     for (const StudyCell& cell : cells) {
         const auto add_figures = [&](bool of_landmarks) {
@@ -272,18 +286,21 @@ std::string summary_csv(const StudyPlan& plan, std::span<const StudyCell> cells)
         add_figures(false);
         rows.add("skipped_lines", cell.skipped_lines);
         rows.add("stamps_backwards", cell.stamps_backwards);
+        for (const auto& [column, limit] : intervals.of(cell.figures)) rows.add(column, limit);
     }
     return csv(rows.table());
 }
 
 std::string summary_markdown(const StudyPlan& plan, std::span<const StudyCell> cells) {
-    return fmt::format("{}\n{}{}\n", markdown(pretty_table(plan, cells, false)),
-                       reference_sentence(plan, cells), damage_sentence(cells));
+    return fmt::format("{}\n{}{}\n{}", markdown(pretty_table(plan, cells, false)),
+                       reference_sentence(plan, cells), damage_sentence(cells),
+                       study::below(calibration_of(plan, cells), markdown));
 }
 
 std::string summary_latex(const StudyPlan& plan, std::span<const StudyCell> cells) {
-    return fmt::format("{}% {}{}\n", latex(pretty_table(plan, cells, true)),
-                       reference_sentence(plan, cells), damage_sentence(cells));
+    return fmt::format("{}% {}{}\n{}", latex(pretty_table(plan, cells, true)),
+                       reference_sentence(plan, cells), damage_sentence(cells),
+                       study::below(calibration_of(plan, cells), latex, "% "));
 }
 
 using nlohmann::ordered_json;

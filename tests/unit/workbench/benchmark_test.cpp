@@ -294,6 +294,13 @@ TEST_F(BenchmarkTest, WritesWhatItReads) {
     EXPECT_THAT(content(folder_ / "out/benchmark.md"), HasSubstr("| recinto | FastSLAM |"));
     EXPECT_THAT(content(folder_ / "out/benchmark.csv"), HasSubstr("pose_in_68"));
     EXPECT_THAT(content(folder_ / "out/benchmark.tex"), HasSubstr("tabular"));
+    // Of two runs: chi-square quantiles of six, four and two degrees of freedom.
+    EXPECT_THAT(content(folder_ / "out/benchmark.csv"),
+                HasSubstr(",pose_nees_low,pose_nees_high,"));
+    EXPECT_THAT(content(folder_ / "out/benchmark.csv"), HasSubstr(",0.618672,7.224688,0.242209,"));
+    EXPECT_THAT(content(folder_ / "out/benchmark.md"), HasSubstr("| EKF | landmarks | 2 |"));
+    EXPECT_THAT(content(folder_ / "out/benchmark.tex"), HasSubstr("& 3 & 0.62 to 7.22 &"));
+    EXPECT_THAT(html, HasSubstr("<td>1</td><td>0.03 to 3.69</td>"));
     folder_.put("out/benchmark.json", "{\"benchmark\": 2}");
     EXPECT_THAT(message_of<FormatError>([&] { read_benchmark(folder_ / "out"); }),
                 HasSubstr("is no table of a benchmark"));

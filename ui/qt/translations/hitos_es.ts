@@ -284,6 +284,21 @@
     </message>
 </context>
 <context>
+    <name>Calibration</name>
+    <message>
+        <source>poses</source>
+        <translation>poses</translation>
+    </message>
+    <message>
+        <source>landmarks</source>
+        <translation>hitos</translation>
+    </message>
+    <message>
+        <source>distances</source>
+        <translation>distancias</translation>
+    </message>
+</context>
+<context>
     <name>Disturbance</name>
     <message>
         <source>Push the robot</source>

@@ -172,6 +172,37 @@ TEST(StudyTables, WithoutReferencePathsAndBlurStandInItsPlace) {
     EXPECT_FALSE(std::filesystem::exists(other / "trajectory-error.dat"));
 }
 
+TEST(StudyTables, CalibrationHasATableWithTheIntervalOfItsRuns) {
+    const StudyPlan plan = plan_of({dmax_axis()}, 2);
+    std::vector<StudyRecord> records(4, run(0.1, 4, 4));
+    EXPECT_THAT(summary_markdown(plan, summarize(plan, records)), Not(HasSubstr("NEES")));
+    EXPECT_THAT(summary_csv(plan, summarize(plan, records)), Not(HasSubstr("nees")));
+    const auto told = [](StudyRecord& record, double nees) {
+        for (const char* word : {"pose_in_50", "pose_in_68", "pose_in_95", "pose_in_99"})
+            record.figures[word] = 0.5;
+        record.figures["pose_nees"] = nees;
+    };
+    told(records[0], 2.0);
+    told(records[1], 4.5);
+    told(records[2], 9.5);  // of the other run nothing is known
+    const std::vector<StudyCell> cells = summarize(plan, records);
+    // The chi-square quantiles of six and three degrees of freedom: 1.237, 14.449; 0.216, 9.348.
+    const std::string table = summary_markdown(plan, cells);
+    EXPECT_THAT(table, HasSubstr("\n| dmax (m) | of | runs | in 50 % | in 68 % | in 95 % | in 99 % "
+                                 "| NEES | ought to be | limits of 95 % | verdict |\n"));
+    EXPECT_THAT(table, HasSubstr("\n| 0.01 | poses | 2 | 0.500 | 0.500 | 0.500 | 0.500 | 3.25 | 3 "
+                                 "| 0.62 to 7.22 | within |\n"
+                                 "| 0.1 | poses | 1 | 0.500 | 0.500 | 0.500 | 0.500 | 9.50 | 3 | "
+                                 "0.22 to 9.35 | too sure |\n"));
+    EXPECT_THAT(table, Not(HasSubstr("| distances |")));
+    EXPECT_THAT(summary_latex(plan, cells), HasSubstr("0.62 to 7.22 & within"));
+    const std::string csv = summary_csv(plan, cells);
+    EXPECT_THAT(csv, HasSubstr(",stamps_backwards,pose_nees_low,pose_nees_high\n"));
+    EXPECT_THAT(csv, HasSubstr(",0.618672,7.224688\n"));
+    records[0].figures["pose_nees"] = records[1].figures["pose_nees"] = 0.6;
+    EXPECT_THAT(summary_markdown(plan, summarize(plan, records)), HasSubstr("| too careful |"));
+}
+
 TEST(StudyTables, DamageOfTheLogStandsInEveryTable) {
     const StudyPlan plan = plan_of({dmax_axis()}, 2);
     std::vector<StudyRecord> records(4, run(0.1, 4, 4));
