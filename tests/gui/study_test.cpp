@@ -120,6 +120,92 @@ void StudyTest::other_figures_can_be_looked_at() {
     QCOMPARE(plots.means(), 4);
 }
 
+void StudyTest::expected_and_seen_shares_are_a_plot() {
+    StudyFixture f;
+    const auto combo = [&f] { return f.study.plots().findChild<QComboBox*>("study_figure"); };
+    const QString calibration = "Calibration: expected and seen shares";
+    f.run_study();
+    QCOMPARE(combo()->findText(calibration), -1);  // of a log the truth is not known
+    Configuracion world = f.session.configuration();
+    world.source.file = Fixture::source_file("data/worlds/recinto.toml").toStdString();
+    world.source.world_set = "laser.rate=1 tour.laps=1";
+    f.session.set_configuration(world);
+    f.set("reference", Fixture::source_file("data/maps/recinto.map"));
+    f.study.form().set_assignments({"p=5,50,100"});
+    f.set("folder", f.path("world"));
+    f.run_study();
+    QVERIFY2(f.verdict().contains("6 of 6"), qPrintable(f.verdict()));
+    StudyPlots& plots = f.study.plots();
+    const int place = combo()->findText(calibration);
+    QVERIFY(place > 0);
+    combo()->setCurrentIndex(place);
+    emit combo()->activated(place);
+    QCOMPARE(combo()->currentText(), calibration);
+    const auto shown = [&plots]() -> QCustomPlot& {
+        for (auto* plot : plots.findChildren<QCustomPlot*>())
+            if (plot->isVisibleTo(&plots)) return *plot;
+        qFatal("no plot");
+    };
+    // What gnuplot's picture has: of each value a block of the shares, region by region.
+    const QStringList blocks =
+        QString(Fixture::read(f.path("world/calibration.dat"))).split("\n\n\n");
+    QCOMPARE(blocks.size(), 3);
+    const QList<QCPAxisRect*> panels = shown().axisRects();
+    QCOMPARE(panels.size(), 3);
+    for (int kind = 0; kind < 3; ++kind) {
+        const QList<QCPGraph*> lines = panels[kind]->graphs();
+        QCOMPARE(lines.size(), 4);  // the diagonal, and a line of each value
+        QCOMPARE(lines[0]->data()->at(0)->key, lines[0]->data()->at(0)->value);
+        for (int cell = 0; cell < 3; ++cell) {
+            QStringList rows = blocks[cell].split('\n', Qt::SkipEmptyParts);
+            rows.removeIf([](const QString& row) { return row.startsWith('#'); });
+            QCOMPARE(lines[cell + 1]->dataCount(), rows.size());
+            QCOMPARE(lines[cell + 1]->name(), QStringList({"p=5", "p=50", "p=100"})[cell]);
+            for (int region = 0; region < rows.size(); ++region) {
+                const QStringList told = rows[region].split(' ');
+                const QCPGraphData& point = *lines[cell + 1]->data()->at(region);
+                QCOMPARE(point.key, told[0].toDouble());
+                QCOMPARE(point.value, told[1 + kind].toDouble());
+            }
+        }
+    }
+    // A click on a line chooses its value, and so do the arrow keys.
+    shown().replot();
+    const QCPGraph& line = *panels[0]->graphs()[2];
+    const QCPGraphData& point = *line.data()->at(0);
+    QTest::mouseClick(&shown(), Qt::LeftButton, Qt::NoModifier,
+                      line.coordsToPixels(point.key, point.value).toPoint());
+    QCOMPARE(plots.chosen(), std::optional<std::size_t>(1));
+    const QString words = plots.words_of_cell(1);
+    QVERIFY2(words.contains("\nPoses in the region of 50, 68, 95, 99 %: ") &&
+                 words.contains("(0.62 to 7.22 where it is as sure as it may be)"),
+             qPrintable(words));
+    QTest::keyClick(&plots, Qt::Key_Right);
+    QCOMPARE(plots.chosen(), std::optional<std::size_t>(2));
+    QVERIFY(panels[0]->graphs()[1]->pen().color().alpha() < 255);
+    QCOMPARE(panels[0]->graphs()[3]->pen().color().alpha(), 255);
+    const auto keep_picture = [&f](const QString& name) {
+        const QString folder = qEnvironmentVariable("HITOS_PICTURES");
+        if (folder.isEmpty()) return;
+        QApplication::processEvents();
+        f.study.grab().save(folder + '/' + name);
+    };
+    keep_picture("study-calibration.png");
+    // Another figure, and back; a study without it shows what it has.
+    combo()->setCurrentIndex(0);
+    emit combo()->activated(0);
+    QVERIFY(shown().axisRects().size() == 2 && plots.quality_title().startsWith("Map error"));
+    plots.show_calibration();
+    QCOMPARE(shown().axisRects().size(), 3);
+    QVERIFY(!plots.exportable().offers.empty());
+    f.study.form().set_assignments({"filter.algorithm=graph-slam"});
+    f.set("folder", f.path("graph"));
+    f.run_study();
+    QVERIFY2(f.verdict().contains("2 of 2"), qPrintable(f.verdict()));
+    QCOMPARE(shown().axisRects().size(), 2);  // it knows no two landmarks together
+    keep_picture("study-calibration-graph.png");
+}
+
 void StudyTest::every_parameter_can_be_chosen() {
     StudyFixture f;
     auto* names = f.study.findChild<QComboBox*>("parameter");

@@ -423,6 +423,7 @@ class StudyTest : public QObject {
     void without_reference_grids_are_measured_and_shown();
     void the_true_path_of_the_session_is_used();
     void other_figures_can_be_looked_at();
+    void expected_and_seen_shares_are_a_plot();
     void a_stopped_study_goes_on_where_it_was();
     void another_studys_folder_is_asked_about();
     void closing_while_it_runs_asks();

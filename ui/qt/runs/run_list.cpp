@@ -5,11 +5,11 @@
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "hitos/services/evaluation/measures.hpp"
 #include "session/background.hpp"
+#include "views/plot_style.hpp"
 
 namespace hitos::window {
 namespace {
@@ -37,11 +37,7 @@ QString name_of(const ListedRun& listed) {
 }
 
 QColor colour_of(const ListedRun& listed) {
-    // Okabe and Ito's colours (2008), which all eyes tell apart; the grid is grey.
-    static const std::array<QColor, 7> colours{
-        QColor(0, 114, 178), QColor(213, 94, 0),   QColor(0, 158, 115),  QColor(204, 121, 167),
-        QColor(230, 159, 0), QColor(86, 180, 233), QColor(148, 103, 189)};
-    return colours[static_cast<std::size_t>(listed.number) % colours.size()];
+    return line_colour(static_cast<std::size_t>(listed.number));
 }
 
 QString log_of(const KeptRun& run) {

@@ -9891,6 +9891,26 @@
         <source>away from %1</source>
         <translation>distancia a %1</translation>
     </message>
+    <message>
+        <source>expected share</source>
+        <translation>proporción esperada</translation>
+    </message>
+    <message>
+        <source>share seen</source>
+        <translation>proporción observada</translation>
+    </message>
+    <message>
+        <source>as it ought to be</source>
+        <translation>como debería ser</translation>
+    </message>
+    <message>
+        <source>Calibration: expected and seen shares</source>
+        <translation>Calibración: proporciones esperadas y observadas</translation>
+    </message>
+    <message>
+        <source>%1 in the region of 50, 68, 95, 99 %: %2; NEES %3 (%4 to %5 where it is as sure as it may be)</source>
+        <translation>%1 en la región del 50, 68, 95 y 99 %: %2; NEES %3 (de %4 a %5 si está tan seguro como puede estarlo)</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::StudyRow</name>

@@ -5,6 +5,7 @@
 
 #include <QPicture>
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,13 @@ QFont plot_font(const QFont& words) {
     QFont font = words;
     font.setPointSizeF(font.pointSizeF() * 0.85);
     return font;
+}
+
+QColor line_colour(std::size_t number) {
+    static const std::array<QColor, kLineColours> colours{
+        QColor(0, 114, 178), QColor(213, 94, 0),   QColor(0, 158, 115),  QColor(204, 121, 167),
+        QColor(230, 159, 0), QColor(86, 180, 233), QColor(148, 103, 189)};
+    return colours[number % colours.size()];
 }
 
 namespace {

@@ -2,8 +2,10 @@
 // How plots look, whatever they show.
 #pragma once
 
+#include <QColor>
 #include <QFont>
 #include <QString>
+#include <cstddef>
 #include <functional>
 
 #include "figure.hpp"
@@ -23,6 +25,10 @@ QCPTextElement* title_of(QCustomPlot& plot, int row, int column);
 void leave_menu_to_parent(QCustomPlot& plot);
 /// The letters of titles and axes beside words in this font.
 QFont plot_font(const QFont& words);
+/// Of the lines of a plot, or the runs over a grid, by number: Okabe and Ito's colours (2008),
+/// which all eyes tell apart; after kLineColours of them they begin again.
+inline constexpr std::size_t kLineColours = 7;
+QColor line_colour(std::size_t number);
 /// The plots as a figure as wide as is wished and of the same shape, but never lower than letters
 /// need; `style` gives them colours. Where they have a legend that can be left out,
 /// `show_legend` does so.

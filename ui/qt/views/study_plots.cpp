@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "plot_style.hpp"
+#include "study_calibration.hpp"
 #include "study_heat.hpp"
 
 namespace hitos::window {
@@ -74,7 +75,8 @@ StudyPlots::StudyPlots(QWidget* parent)
     : QWidget(parent),
       choice_(new QComboBox(this)),
       plot_(new QCustomPlot(this)),
-      heat_(new StudyHeat(this)) {
+      heat_(new StudyHeat(this)),
+      calibration_(new StudyCalibration(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(1, 1, 1, 1);  // where one sees that it has the keyboard
     column->setSpacing(0);
@@ -83,10 +85,15 @@ StudyPlots::StudyPlots(QWidget* parent)
     choice_->setToolTip(tr("What the plot shows of each run"));
     choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     column->addWidget(choice_, 0, Qt::AlignLeft);
-    connect(choice_, &QComboBox::activated, this,
-            [this](int place) { show_quality(*qualities().at(static_cast<std::size_t>(place))); });
+    connect(choice_, &QComboBox::activated, this, [this](int place) {
+        const std::vector<const Measure*> measures = qualities();
+        const auto chosen = static_cast<std::size_t>(place);
+        if (chosen >= measures.size()) return show_calibration();
+        show_quality(*measures[chosen]);
+    });
     column->addWidget(plot_);
     column->addWidget(heat_);
+    column->addWidget(calibration_);
     plot_->setFocusPolicy(Qt::NoFocus);
     plot_->plotLayout()->clear();
     plot_->plotLayout()->setRowSpacing(2);
@@ -100,6 +107,7 @@ StudyPlots::StudyPlots(QWidget* parent)
         panel->rect->setMarginGroup(QCP::msLeft, margins);
     follow(*plot_);
     follow(*heat_);
+    follow(*calibration_);
     clear();
     restyle();
 }
@@ -115,6 +123,7 @@ void StudyPlots::follow(QCustomPlot& plot) {
 }
 
 QCustomPlot* StudyPlots::shown() const {
+    if (!calibration_->isHidden()) return calibration_;
     return heat_->isHidden() ? plot_ : heat_;
 }
 
@@ -139,8 +148,9 @@ StudyPlots::Panel StudyPlots::make_panel(int row) {
 void StudyPlots::restyle() {
     style(colours());
     heat_->style(colours());
-    plot_->replot(QCustomPlot::rpQueuedReplot);
-    heat_->replot(QCustomPlot::rpQueuedReplot);
+    calibration_->style(colours());
+    for (QCustomPlot* plot : findChildren<QCustomPlot*>())
+        plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void StudyPlots::style(const Colours& c) {
@@ -170,6 +180,7 @@ void StudyPlots::clear() {
     records_.clear();
     choice_->hide();
     heat_->hide();
+    calibration_->hide();
     plot_->show();
     choose(std::nullopt);
     setFocusPolicy(Qt::NoFocus);
@@ -286,30 +297,43 @@ std::vector<const Measure*> StudyPlots::qualities() const {
 
 void StudyPlots::show_quality(const Measure& measure) {
     wanted_ = &measure;
+    calibration_wanted_ = false;
     show_figures();
     choose(chosen_);  // its words have changed
+}
+
+void StudyPlots::show_calibration() {
+    calibration_wanted_ = true;
+    show_figures();
+    choose(chosen_);
 }
 
 void StudyPlots::offer_qualities() {
     QStringList names;
     for (const Measure* measure : qualities()) names << axis_words(*measure);
+    if (StudyCalibration::has(cells_)) names << tr("Calibration: expected and seen shares");
     const QSignalBlocker quiet(choice_);
     if (names != offered_) {  // else whoever has the list open keeps it
         offered_ = names;
         choice_->clear();
         choice_->addItems(names);
     }
-    choice_->setCurrentIndex(static_cast<int>(names.indexOf(axis_words(*quality_.measure))));
+    const bool last = shown() == calibration_;
+    choice_->setCurrentIndex(
+        static_cast<int>(last ? names.size() - 1 : names.indexOf(axis_words(*quality_.measure))));
     choice_->setVisible(names.size() > 1);
 }
 
 void StudyPlots::show_figures() {
     const bool has_wanted = wanted_ != nullptr && has_figures(cells_, *wanted_);
     quality_.measure = has_wanted ? wanted_ : &quality_of(plan_, cells_);
-    offer_qualities();
+    const bool shares = calibration_wanted_ && StudyCalibration::has(cells_);
     const bool two = plan_.axes.size() > 1;
-    plot_->setHidden(two);
-    heat_->setHidden(!two);
+    plot_->setHidden(two || shares);
+    heat_->setHidden(!two || shares);
+    calibration_->setHidden(!shares);
+    offer_qualities();
+    if (shares) return calibration_->show_results(plan_, cells_);
     if (two) return heat_->show_results(plan_, cells_, *quality_.measure);
     show_titles(plan_);
     lay_out_axis(plan_.axes.front());
@@ -337,6 +361,7 @@ void StudyPlots::show_figures() {
 std::optional<std::size_t> StudyPlots::cell_at(const QPoint& place) const {
     constexpr double kNear = 24.0;
     if (shown() == heat_) return heat_->cell_at(place);
+    if (shown() == calibration_) return calibration_->cell_at(place);
     for (const Panel* panel : {&quality_, &landmarks_}) {
         if (!panel->rect->rect().contains(place)) continue;
         const QCPAxis* bottom = panel->rect->axis(QCPAxis::atBottom);
@@ -352,6 +377,7 @@ QString StudyPlots::words_of_cell(std::size_t cell) const {
     QStringList lines{QString::fromStdString(plan_.cell_label(cell)),
                       tr("Runs: %1").arg(told.finished)};
     if (told.failed > 0) lines << tr("Failed: %1").arg(told.failed);
+    if (shown() == calibration_) return (lines + StudyCalibration::words_of(told)).join('\n');
     for (const Panel* panel : {&quality_, &landmarks_}) {
         if (const auto& spread = told.figures[*panel->measure])
             lines << figure_words(*panel->measure, *spread);
@@ -375,6 +401,7 @@ void StudyPlots::choose(std::optional<std::size_t> cell) {
         panel->choice->point2->setCoords(x_.positions[*cell], 1.0);
     }
     heat_->choose(cell);
+    calibration_->choose(cell);
     plot_->replot(QCustomPlot::rpQueuedReplot);
     emit choice_changed();
 }
@@ -427,7 +454,8 @@ void StudyPlots::keyPressEvent(QKeyEvent* event) {
     }
     if (empty()) return;
     choose(beside(across, up));
-    QPoint place = heat_->middle_of(*chosen_);
+    QPoint place =
+        shown() == calibration_ ? calibration_->middle_of(*chosen_) : heat_->middle_of(*chosen_);
     if (shown() == plot_) {
         const QCPAxisRect* rect = quality_.rect;
         const double x = rect->axis(QCPAxis::atBottom)->coordToPixel(x_.positions[*chosen_]);
@@ -447,6 +475,7 @@ void StudyPlots::paintEvent(QPaintEvent* event) {
 Exportable StudyPlots::exportable() {
     return {tr("Study"), "study", plot_font(font()), {figure_of(*shown(), [this](const Colours& c) {
                 if (shown() == heat_) return heat_->style(c);
+                if (shown() == calibration_) return calibration_->style(c);
                 style(c);
             })}};
 }

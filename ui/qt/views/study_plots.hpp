@@ -22,13 +22,15 @@ class QCustomPlot;
 
 namespace hitos::window {
 
+class StudyCalibration;
 class StudyHeat;
 
 /// Quality and number of landmarks against the parameter's values: every run, mean and
 /// standard deviation, and how many landmarks the reference has. Quality is the error of the map;
 /// without a reference the error of the path; where that is unknown too, the blur of the grid map;
 /// or another figure that the user chooses, such as how often the truth lies in the filter's
-/// regions. Of two parameters the quality alone, as a map of colours. One value, or pair of values,
+/// regions. Of two parameters the quality alone, as a map of colours. Of either how often the truth
+/// lay in all of the filter's regions, against how often it ought to. One value, or pair of values,
 /// can be chosen: by a click or the arrow keys, which begin at the best.
 class StudyPlots final : public QWidget {
     Q_OBJECT
@@ -50,6 +52,8 @@ class StudyPlots final : public QWidget {
     /// What can be looked at as quality: what the runs have.
     std::vector<const Measure*> qualities() const;
     void show_quality(const Measure& measure);
+    /// In its place expected against seen shares, where any run has them.
+    void show_calibration();
     /// Values, runs and figures of a cell.
     QString words_of_cell(std::size_t cell) const;
 
@@ -96,6 +100,7 @@ class StudyPlots final : public QWidget {
     QComboBox* choice_;
     QCustomPlot* plot_;
     StudyHeat* heat_;
+    StudyCalibration* calibration_;
     Panel quality_;
     Panel landmarks_;
     StudyAbscissa x_;
@@ -104,6 +109,7 @@ class StudyPlots final : public QWidget {
     std::vector<StudyCell> cells_;
     QStringList offered_;
     const Measure* wanted_ = nullptr;  // as quality; null: what suits
+    bool calibration_wanted_ = false;  // where there is one
     std::optional<std::size_t> chosen_;
 };
 
