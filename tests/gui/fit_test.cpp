@@ -28,6 +28,7 @@
 #include "runs/runs.hpp"
 #include "tests.hpp"
 #include "world/world_form.hpp"
+#include "world/world_window.hpp"
 
 namespace hitos::window {
 namespace {

@@ -14,6 +14,7 @@
 #include <QMap>
 #include <QMenuBar>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QShortcut>
 #include <QTextBrowser>

@@ -14,6 +14,7 @@
 #include "gui_fixture.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "tests.hpp"
+#include "views/plots.hpp"
 #include "world/world_window.hpp"
 
 namespace hitos::window {

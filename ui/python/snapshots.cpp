@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "arrays.hpp"
+#include "hitos/services/results/results.hpp"
 #include "tours.hpp"
 
 namespace hitos::python {

@@ -14,7 +14,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr double kPauseBegin = 10.0;  // [s]
 
 /// What a laser sees all round, in a room of 16 m by 9 m with a pillar from (6, 3) to (7, 4); 30 m
 /// and more are too far away.
