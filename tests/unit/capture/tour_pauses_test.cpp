@@ -14,7 +14,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-
 /// What a laser sees all round, in a room of 16 m by 9 m with a pillar from (6, 3) to (7, 4); 30 m
 /// and more are too far away.
 Scan scan_at(double time_s, const Pose& robot, double length_m) {
