@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "hitos/simulation/drive/noisy_reader.hpp"
+#include "hitos/simulation/drive/perturbed_reader.hpp"
 #include "hitos/workbench/open_tour.hpp"
 
 namespace hitos {
@@ -36,6 +37,17 @@ void set_study_source(Study& study, double level, OdometryNoiseKind kind) {
             seed = (source.tour_seed != 0 ? source.tour_seed : job.seed) ^ kOther;
         }
         return make_noisy_reader(std::move(tour), level, kind, seed);
+    };
+}
+
+void set_study_copies(Study& study, int copies) {
+    if (copies == 0) return;
+    study.setting +=
+        fmt::format("{}{} perturbed copies", study.setting.empty() ? "" : ", ", copies);
+    study.source.seeded = [](const SourceParams& /*source*/) { return true; };
+    study.source.open = [open = study.source.open, number = static_cast<std::uint64_t>(copies)](
+                            const SourceParams& source, std::uint64_t seed) {
+        return make_perturbed_reader(open(source, seed), 1 + (seed + number - 1) % number);
     };
 }
 

@@ -25,6 +25,7 @@ struct BenchmarkTour {
     std::string address;     ///< where the file can be had; empty: nobody says
     double noise = 0.0;      ///< level of what is added to the odometry of each run
     OdometryNoiseKind noise_kind = OdometryNoiseKind::relative_sigma;
+    int copies = 0;  ///< perturbed ones, that runs have instead of it in turn (set_study_copies())
     std::vector<std::string> settings;  ///< "key=value", over the algorithms'
 };
 

@@ -150,6 +150,7 @@ class Work {
             study.layout = study_in_folder(options_.out / "runs" / file_word(tour.name) /
                                            file_word(algorithm.name));
             set_study_source(study, tour.noise, tour.noise_kind);
+            set_study_copies(study, tour.copies);
             try_study(study);
             studies_.push_back(std::move(study));
             places_.push_back(rows_.size() - 1);

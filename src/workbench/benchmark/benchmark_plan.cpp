@@ -23,6 +23,7 @@ namespace {
 constexpr const char* kFolder = "data/benchmarks";
 constexpr const char* kEnding = ".toml";
 constexpr std::size_t kMostRows = 10'000;
+constexpr int kMostCopies = 100;
 
 /// Where the paths of a plan lie.
 class Places {
@@ -84,6 +85,10 @@ BenchmarkTour tour_of(TomlEntry& entry, const Places& places) {
         entry.refuse("noise_kind", noise_kind_choices().c_str());
     }
     tour.noise_kind = static_cast<OdometryNoiseKind>(known - kOdometryNoiseKinds.begin());
+    tour.copies = static_cast<int>(entry.whole_or("copies", 0, 0, kMostCopies));
+    // A world is driven anew by every run as it is; and a map lies about the first scan.
+    if (tour.copies > 0 && (is_world_file(tour.file) || !tour.map.empty()))
+        entry.refuse("copies", "0 of a world, and of a tour with a map");
     tour.settings = entry.texts("set", "a list of texts, each \"key=value\"");
     return tour;
 }

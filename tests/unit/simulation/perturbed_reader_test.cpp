@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hitos/simulation/drive/perturbed_reader.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "hitos/capture/archivo.hpp"
+#include "hitos/capture/odometry_track.hpp"
+#include "hitos/capture/procesador.hpp"
+#include "hitos/capture/recorded_tour.hpp"
+#include "unit/capture/test_files.hpp"
+
+namespace hitos {
+namespace {
+
+using test::Log;
+using test::read_all;
+
+std::unique_ptr<TourReader> plain() {
+    return std::make_unique<Procesador>(
+        open_log(std::string(HITOS_SOURCE_DIR) + "/data/bigloop.log.gz"));
+}
+
+std::unique_ptr<TourReader> copy(std::uint64_t number) {
+    return make_perturbed_reader(plain(), number);
+}
+
+/// The robot's way from scan to scan, by the odometry.
+std::vector<Pose> steps_of(const Log& log, std::size_t from) {
+    std::size_t next = 0;
+    OdometryTrack track([&]() -> std::optional<Odometria> {
+        return next < log.odometry.size() ? std::optional(log.odometry[next++]) : std::nullopt;
+    });
+    std::vector<Pose> steps;
+    std::optional<Pose> last;
+    for (std::size_t i = from; i < log.scans.size(); ++i) {
+        const Pose pose = track.at(log.scans[i].time_s);
+        if (last) steps.push_back(between(*last, pose));
+        last = pose;
+    }
+    return steps;
+}
+
+double root_mean_square(const std::vector<double>& values) {
+    double sum = 0.0;
+    for (const double value : values) sum += value * value;
+    return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+TEST(PerturbedReader, LeavesOutTheFirstScansAndTheOdometryBefore) {
+    const Log all = read_all(*plain());
+    const Log second = read_all(*copy(2));
+    ASSERT_EQ(second.scans.size(), all.scans.size() - 6);
+    const double begin_s = all.scans[6].time_s;
+    EXPECT_EQ(second.scans.front().time_s, begin_s);
+    EXPECT_LE(second.odometry.front().time_s, begin_s);
+    EXPECT_GT(second.odometry[1].time_s, begin_s);
+    EXPECT_EQ(second.odometry.front().twist, Twist());
+    EXPECT_EQ(second.odometry.back().time_s, all.odometry.back().time_s);
+}
+
+TEST(PerturbedReader, AddsTenMillimetresToRanges) {
+    const Log all = read_all(*plain());
+    const Log first = read_all(*copy(1));
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < first.scans.size(); ++i) {
+        const std::vector<Point2>& truth = all.scans[i + 3].points;
+        const std::vector<Point2>& points = first.scans[i].points;
+        ASSERT_EQ(points.size(), truth.size());
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            errors.push_back(std::hypot(points[k].x, points[k].y) -
+                             std::hypot(truth[k].x, truth[k].y));
+            ASSERT_NEAR(std::remainder(std::atan2(points[k].y, points[k].x) -
+                                           std::atan2(truth[k].y, truth[k].x),
+                                       2.0 * kPi),
+                        0.0, 1e-9);
+        }
+    }
+    EXPECT_NEAR(root_mean_square(errors), 0.01, 1e-4);
+}
+
+TEST(PerturbedReader, ScalesAndTurnsTheSteps) {
+    const std::vector<Pose> truth = steps_of(read_all(*plain()), 3);
+    const std::vector<Pose> steps = steps_of(read_all(*copy(1)), 0);
+    ASSERT_EQ(steps.size(), truth.size());
+    std::vector<double> scales;
+    std::vector<double> turns;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const double length = std::hypot(truth[i].x, truth[i].y);
+        if (length < 0.05 || std::abs(truth[i].theta) > 0.01) continue;
+        scales.push_back(std::hypot(steps[i].x, steps[i].y) / length - 1.0);
+        turns.push_back(steps[i].theta - truth[i].theta);
+    }
+    ASSERT_GT(scales.size(), 300U);
+    EXPECT_NEAR(root_mean_square(scales), 0.03, 0.003);
+    EXPECT_NEAR(root_mean_square(turns), 0.003, 0.0003);
+}
+
+TEST(PerturbedReader, OfARobotAtRestTheStepsStayWhatTheyAre) {
+    const test::TempFolder folder;
+    const auto log = folder.put("a.log",
+                                "ODOM 0 0 0 0 0 0 0 h 0\nFLASER 2 1 2 0 0 0 0 0 0 0 h 0\n"
+                                "FLASER 2 1 2 0 0 0 0 0 0 1 h 1\nFLASER 2 1 2 0 0 0 0 0 0 2 h 2\n"
+                                "FLASER 2 1 2 0 0 0 0 0 0 3 h 3\nFLASER 2 1 2 0 0 0 0 0 0 4 h 4\n");
+    const Log rest =
+        read_all(*make_perturbed_reader(std::make_unique<Procesador>(open_log(log.string())), 1));
+    EXPECT_EQ(rest.scans.size(), 2U);
+    for (const Odometria& reading : rest.odometry) EXPECT_EQ(reading.twist, Twist());
+    // Of a log that ends within what is left out there is nothing, and no error.
+    EXPECT_TRUE(
+        read_all(*make_perturbed_reader(std::make_unique<Procesador>(open_log(log.string())), 9))
+            .scans.empty());
+}
+
+TEST(PerturbedReader, ACopyIsTheSameEveryTimeAndAnotherOneIsNot) {
+    const auto reader = copy(1);
+    const Log first = read_all(*reader);
+    reader->restart();
+    const Log again = read_all(*reader);
+    EXPECT_EQ(again.scans, first.scans);
+    EXPECT_EQ(again.odometry, first.odometry);
+    EXPECT_EQ(read_all(*reader->reopen()).odometry, first.odometry);
+    // As studies share it between runs.
+    RecordedReader recorded(record_tour(*reader, [](std::size_t) { return true; }));
+    const Log shared = read_all(recorded);
+    EXPECT_EQ(shared.scans, first.scans);
+    EXPECT_EQ(shared.odometry, first.odometry);
+    const Log other = read_all(*copy(2));
+    EXPECT_NE(other.scans.back().points, first.scans.back().points);
+    const auto twist = [](const Log& log) { return log.odometry[log.odometry.size() - 500].twist; };
+    EXPECT_NE(twist(other), twist(first));
+}
+
+}  // namespace
+}  // namespace hitos
