@@ -83,7 +83,7 @@ class PathMeasures : public test::ProgramTest {
 
     const std::string truth_ = path("truth.tum");
     const std::string estimate_ = path("estimate.tum");
-    const std::string short_log_ = kSource + "/data/logs/normalized.log.gz";
+    const std::string short_log_ = test::kSource + "/data/logs/normalized.log.gz";
     const std::string both_ =
         cli_ + " evaluate --trajectory " + estimate_ + " --reference-trajectory " + truth_;
 };
@@ -120,11 +120,13 @@ TEST_F(PathMeasures, AreWhatTheFormulasOfEvoSaid) {
 }
 
 TEST_F(PathMeasures, AreWhatTheFormulasOfEvoSay) {
-    if (shell("python3 -c 'import numpy'").status != 0) {
-        GTEST_SKIP() << "python3 has no numpy";
+    const std::string python = HITOS_PYTHON_PROGRAM;
+    if (shell(python + " -c 'import numpy'").status != 0) {
+        GTEST_SKIP() << python << " has no numpy";
     }
-    const Figures now = figures(shell(test::kSource + "/tests/programs/evo_formulas.py " +
-                                      estimate_ + " " + truth_ + " 1"));
+    const Figures now =
+        figures(shell(python + " " + test::kSource + "/tests/programs/evo_formulas.py " +
+                      estimate_ + " " + truth_ + " 1"));
     for (const auto& [name, value] : ours()) EXPECT_NEAR(now.at(name), value, 1e-6) << name;
 }
 
