@@ -132,7 +132,26 @@ TEST_F(BenchmarkCommand, TakesAPartOfThePlan) {
     EXPECT_EQ(told.at("rows")[0].at("algorithm"), "EKF");
     refused(plan() + " --only GMapping --out " + path("out"),
             "expected a tour, an algorithm or a peer of the plan: recinto, particles, EKF");
-    refused("nothing --out " + path("out"), "those are calibration, recorded, thesis, worlds");
+    refused("nothing --out " + path("out"),
+            "those are calibration, recorded, thesis, worlds");
+}
+
+// Nobody has to be refused to learn a file's digest.
+TEST_F(BenchmarkCommand, InfoTellsTheDigestThatAPlanNames) {
+    const std::string log = HITOS_SOURCE_DIR "/data/logs/carmen-flaser.log.gz";
+    const std::string info = cli_ + " info " + log;
+    const std::string digest = json::parse(shell(info + " --json").output).at("digest");
+    EXPECT_THAT(shell(info).output, HasSubstr("\ndigest of the file: " + digest + "\n"));
+    const auto plan_with = [&](const std::string& named) {
+        return file("digest.toml", "runs = 1\n[[tour]]\nfile = \"" + log + "\"\ndigest = \"" +
+                                       named + "\"\n[[algorithm]]\nname = \"EKF\"\n" +
+                                       "preset = \"ekf\"\n");
+    };
+    const std::string out = " --no-pictures --out " + path("out");
+    EXPECT_EQ(call(plan_with(digest) + out).status, 0);
+    const Outcome other = call(plan_with("0" + digest.substr(1, 30) + "x") + out);
+    EXPECT_EQ(other.status, 2);
+    EXPECT_THAT(other.output, HasSubstr("its digest is " + digest));
 }
 
 TEST_F(BenchmarkCommand, ARowThatCannotBeIsTold) {

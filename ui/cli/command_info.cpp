@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "damage.hpp"
+#include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/plural.hpp"
 #include "hitos/base/process.hpp"
@@ -78,12 +79,22 @@ void tell_first_lines(const SourceInspection& found, Report& report) {
     }
 }
 
+/// As plans of benchmarks name it; of a recording that is a folder there is none.
+void tell_digest(const std::string& source, Report& report) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(source, ignored)) return;
+    const std::string digest = Digest().add_file(source).text();
+    report.say("digest of the file: {}\n", digest);
+    report.object()["digest"] = digest;
+}
+
 /// Of a recording whose topics are still to be chosen.
 void tell_choice(const std::string& source, const SourceInspection& found, Report& report) {
     report.say("{}: {}\n", on_one_line(source), found.tour.format);
     report.warn(found.choice.english());
     report.object() = {
         {"source", source}, {"format", found.tour.format}, {"choice", found.choice.english()}};
+    tell_digest(source, report);
     tell_first_lines(found, report);
 }
 
@@ -116,6 +127,7 @@ void tell(const std::string& source, const SourceInspection& found, Report& repo
     report.say("{}", damage_text(tour.report));
     if (tour.report.scans == 0) report.warn("not one scan that can be read");
     report.object()["log"] = parsed_object(to_json(tour.report));
+    tell_digest(source, report);
     tell_first_lines(found, report);
 }
 
