@@ -133,7 +133,7 @@ TEST_F(BenchmarkCommand, TakesAPartOfThePlan) {
     refused(plan() + " --only GMapping --out " + path("out"),
             "expected a tour, an algorithm or a peer of the plan: recinto, particles, EKF");
     refused("nothing --out " + path("out"),
-            "those are calibration, recorded, thesis, worlds");
+            "those are all-worlds, calibration, perturbed, recorded, thesis, worlds");
 }
 
 // Nobody has to be refused to learn a file's digest.

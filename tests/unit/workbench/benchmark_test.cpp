@@ -11,6 +11,7 @@
 #include <random>
 
 #include "hitos/base/error.hpp"
+#include "hitos/workbench/shipped_data.hpp"
 #include "support.hpp"
 
 namespace hitos {
@@ -127,6 +128,18 @@ TEST_F(BenchmarkTest, KnowsThePlansThatComeWithHitos) {
     EXPECT_THAT(shipped_benchmarks(), IsSupersetOf({"recorded", "worlds"}));
     for (const std::string& name : shipped_benchmarks())
         EXPECT_FALSE(read_benchmark_plan(find_benchmark(name)).tours.empty()) << name;
+    const auto tours = [](const char* name) {
+        return read_benchmark_plan(find_benchmark(name)).tours;
+    };
+    const std::vector<BenchmarkTour> all = tours("all-worlds");
+    for (const std::string& world : shipped_worlds())
+        EXPECT_EQ(std::ranges::count(all, world, &BenchmarkTour::name), 1) << world;
+    for (const BenchmarkTour& tour : all) {
+        EXPECT_TRUE(tour.map.empty() || std::filesystem::exists(tour.map)) << tour.map;
+    }
+    for (const char* recorded : {"recorded", "perturbed"}) {
+        for (const BenchmarkTour& tour : tours(recorded)) EXPECT_FALSE(tour.digest.empty());
+    }
     EXPECT_THAT(message_of<FileError>([] { find_benchmark("nothing"); }), HasSubstr("worlds"));
 }
 
