@@ -19,7 +19,6 @@ namespace hitos {
 namespace {
 
 using test::content;
-using test::kSource;
 using test::Outcome;
 using test::shell;
 using ::testing::HasSubstr;
