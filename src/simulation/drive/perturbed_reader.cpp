@@ -115,7 +115,10 @@ class PerturbedReader final : public TourReader {
         if (++at_.steps == 1) return begin();
         if (!at_.next) return;
         double end_s = scan_time_s();
-        for (; end_s < at_.next->time_s; end_s = scan_time_s()) ++at_.steps;
+        while (end_s < at_.next->time_s) {
+            end_s = scan_time_s();
+            ++at_.steps;
+        }
         double moving_s = 0.0;
         for (; at_.next && at_.next->time_s <= end_s; at_.next = reader_->next_odometry()) {
             if (moves(at_.next->twist)) moving_s += at_.next->time_s - at_.time_s;
@@ -129,7 +132,8 @@ class PerturbedReader final : public TourReader {
             if (!moves(twist)) continue;
             twist.v *= scale;
             twist.v_lateral *= scale;
-            twist.w = scale * twist.w + kTurnSigma * turn / moving_s;
+            twist.w *= scale;
+            if (moving_s > 0.0) twist.w += kTurnSigma * turn / moving_s;
         }
     }
 
