@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hitos/base/median.hpp"
+#include "hitos/capture/derived_tour.hpp"
 #include "hitos/registration/registration.hpp"
 
 namespace hitos {
@@ -45,32 +46,24 @@ RegistrationParams without_odometry(double interval_s) {
     return params;
 }
 
-class ScanOdometry final : public TourReader {
+class ScanOdometry final : public DerivedTour {
   public:
     ScanOdometry(std::unique_ptr<TourReader> tour, double interval_s)
-        : tour_(std::move(tour)),
-          ahead_(tour_->reopen()),
+        : DerivedTour(std::move(tour)),
+          ahead_(this->tour().reopen()),
           interval_s_(interval_s),
           registration_(without_odometry(interval_s)) {}
 
-    std::optional<Scan> next_scan() override { return tour_->next_scan(); }
     std::optional<Odometria> next_odometry() override;
-    void restart() override { *this = ScanOdometry(tour_->reopen(), interval_s_); }
+    void restart() override { *this = ScanOdometry(tour().reopen(), interval_s_); }
     std::unique_ptr<TourReader> reopen() const override {
-        return std::make_unique<ScanOdometry>(tour_->reopen(), interval_s_);
+        return std::make_unique<ScanOdometry>(tour().reopen(), interval_s_);
     }
-    const ReadReport& report() const override { return tour_->report(); }
-    std::optional<double> progress() const override { return tour_->progress(); }
-    std::string name() const override { return tour_->name(); }
-    std::string format() const override { return tour_->format(); }
-    std::optional<Truth> truth() const override { return tour_->truth(); }
-    ReadOptions options() const override { return tour_->options(); }
     std::vector<TourFinding> findings() const override;
 
   private:
     void note(const Pose& step, double seconds);
 
-    std::unique_ptr<TourReader> tour_;
     std::unique_ptr<TourReader> ahead_;  // whose scans are matched
     double interval_s_;
     Registration registration_;
@@ -111,7 +104,7 @@ void ScanOdometry::note(const Pose& step, double seconds) {
 
 std::vector<TourFinding> ScanOdometry::findings() const {
     constexpr std::uint64_t kOneFarIn = 20;
-    std::vector<TourFinding> found = tour_->findings();
+    std::vector<TourFinding> found = tour().findings();
     if (scans_ < 2) return found;
     // Where there is odometry that is not used, the log's own reader has told the way back.
     const auto told = std::ranges::find(found, TourFinding::Kind::no_odometry, &TourFinding::kind);

@@ -8,41 +8,36 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/capture/corrected_log.hpp"
+#include "hitos/capture/derived_tour.hpp"
 
 namespace hitos {
 namespace {
 
 /// A tour as far as a run that was stopped has taken it.
-class TourSoFar final : public TourReader {
+class TourSoFar final : public DerivedTour {
   public:
     /// `whole`: the run has come to the end; what odometry follows on the last scan is part of it.
     TourSoFar(std::unique_ptr<TourReader> tour, std::size_t scans, bool whole)
-        : tour_(std::move(tour)), scans_(scans), whole_(whole), left_(scans) {}
+        : DerivedTour(std::move(tour)), scans_(scans), whole_(whole), left_(scans) {}
 
     std::optional<Scan> next_scan() override {
         if (left_ == 0) return std::nullopt;
         --left_;
-        return tour_->next_scan();
+        return tour().next_scan();
     }
     std::optional<Odometria> next_odometry() override {
         if (left_ == 0 && !whole_) return std::nullopt;
-        return tour_->next_odometry();
+        return tour().next_odometry();
     }
     void restart() override {
-        tour_->restart();
+        tour().restart();
         left_ = scans_;
     }
     std::unique_ptr<TourReader> reopen() const override {
-        return std::make_unique<TourSoFar>(tour_->reopen(), scans_, whole_);
+        return std::make_unique<TourSoFar>(tour().reopen(), scans_, whole_);
     }
-    const ReadReport& report() const override { return tour_->report(); }
-    std::optional<double> progress() const override { return tour_->progress(); }
-    std::string name() const override { return tour_->name(); }
-    std::string format() const override { return tour_->format(); }
-    ReadOptions options() const override { return tour_->options(); }
 
   private:
-    std::unique_ptr<TourReader> tour_;
     std::size_t scans_;
     bool whole_;
     std::size_t left_;

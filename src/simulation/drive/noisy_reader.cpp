@@ -3,38 +3,31 @@
 
 #include <utility>
 
+#include "hitos/capture/derived_tour.hpp"
+
 namespace hitos {
 namespace {
 
-class NoisyReader final : public TourReader {
+class NoisyReader final : public DerivedTour {
   public:
     NoisyReader(std::unique_ptr<TourReader> reader, const OdometryNoise& noise)
-        : fresh_noise_(noise), noise_(noise), reader_(std::move(reader)) {}
+        : DerivedTour(std::move(reader)), fresh_noise_(noise), noise_(noise) {}
 
-    std::optional<Scan> next_scan() override { return reader_->next_scan(); }
     std::optional<Odometria> next_odometry() override {
-        const std::optional<Odometria> reading = reader_->next_odometry();
+        const std::optional<Odometria> reading = tour().next_odometry();
         return reading ? std::optional(noise_(*reading)) : std::nullopt;
     }
     void restart() override {
-        reader_->restart();
+        tour().restart();
         noise_ = fresh_noise_;
     }
     std::unique_ptr<TourReader> reopen() const override {
-        return std::make_unique<NoisyReader>(reader_->reopen(), fresh_noise_);
+        return std::make_unique<NoisyReader>(tour().reopen(), fresh_noise_);
     }
-    const ReadReport& report() const override { return reader_->report(); }
-    std::optional<double> progress() const override { return reader_->progress(); }
-    std::string name() const override { return reader_->name(); }
-    std::string format() const override { return reader_->format(); }
-    ReadOptions options() const override { return reader_->options(); }
-    std::vector<TourFinding> findings() const override { return reader_->findings(); }
-    std::optional<Truth> truth() const override { return reader_->truth(); }
 
   private:
     OdometryNoise fresh_noise_;  // at the beginning of the tour
     OdometryNoise noise_;
-    std::unique_ptr<TourReader> reader_;
 };
 
 }  // namespace

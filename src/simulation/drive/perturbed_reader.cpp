@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hitos/base/random_stream.hpp"
+#include "hitos/capture/derived_tour.hpp"
 
 namespace hitos {
 namespace {
@@ -24,14 +25,14 @@ bool moves(const Twist& twist) {
     return twist.v != 0.0 || twist.v_lateral != 0.0 || twist.w != 0.0;
 }
 
-class PerturbedReader final : public TourReader {
+class PerturbedReader final : public DerivedTour {
   public:
     PerturbedReader(std::unique_ptr<TourReader> reader, std::uint64_t copy)
-        : copy_(copy), reader_(std::move(reader)), clock_(reader_->reopen()) {}
+        : DerivedTour(std::move(reader)), copy_(copy), clock_(tour().reopen()) {}
 
     std::optional<Scan> next_scan() override {
-        if (at_.scans == 0) leave_out_scans(*reader_);
-        std::optional<Scan> scan = reader_->next_scan();
+        if (at_.scans == 0) leave_out_scans(tour());
+        std::optional<Scan> scan = tour().next_scan();
         if (scan) perturb(*scan, ++at_.scans);
         return scan;
     }
@@ -44,19 +45,13 @@ class PerturbedReader final : public TourReader {
     }
     void restart() override {
         std::unique_ptr<TourReader> clock = clock_->reopen();
-        reader_->restart();
+        tour().restart();
         clock_ = std::move(clock);
         at_ = {};
     }
     std::unique_ptr<TourReader> reopen() const override {
-        return std::make_unique<PerturbedReader>(reader_->reopen(), copy_);
+        return std::make_unique<PerturbedReader>(tour().reopen(), copy_);
     }
-    const ReadReport& report() const override { return reader_->report(); }
-    std::optional<double> progress() const override { return reader_->progress(); }
-    std::string name() const override { return reader_->name(); }
-    std::string format() const override { return reader_->format(); }
-    ReadOptions options() const override { return reader_->options(); }
-    std::vector<TourFinding> findings() const override { return reader_->findings(); }
 
   private:
     struct Place {
@@ -101,8 +96,8 @@ class PerturbedReader final : public TourReader {
     void begin() {
         leave_out_scans(*clock_);
         const double begin_s = scan_time_s();
-        std::optional<Odometria> first = reader_->next_odometry();
-        while (first && (at_.next = reader_->next_odometry()) && at_.next->time_s <= begin_s)
+        std::optional<Odometria> first = tour().next_odometry();
+        while (first && (at_.next = tour().next_odometry()) && at_.next->time_s <= begin_s)
             first = at_.next;
         if (!first) return;
         first->twist = {};
@@ -120,7 +115,7 @@ class PerturbedReader final : public TourReader {
             ++at_.steps;
         }
         double moving_s = 0.0;
-        for (; at_.next && at_.next->time_s <= end_s; at_.next = reader_->next_odometry()) {
+        for (; at_.next && at_.next->time_s <= end_s; at_.next = tour().next_odometry()) {
             if (moves(at_.next->twist)) moving_s += at_.next->time_s - at_.time_s;
             at_.time_s = at_.next->time_s;
             at_.waiting.push_back(*at_.next);
@@ -138,7 +133,6 @@ class PerturbedReader final : public TourReader {
     }
 
     std::uint64_t copy_;
-    std::unique_ptr<TourReader> reader_;
     std::unique_ptr<TourReader> clock_;  // its scans say where steps end
     Place at_;
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "background.hpp"
+#include "hitos/capture/derived_tour.hpp"
 #include "hitos/features/control.hpp"
 #include "hitos/registration/scan_odometry.hpp"
 #include "hitos/workbench/open_tour.hpp"
@@ -14,25 +15,15 @@ namespace hitos::window {
 namespace {
 
 /// Who reads the tour anew, for its maps and figures, takes what is there and waits for nothing.
-class IncomingReader final : public TourReader {
+class IncomingReader final : public DerivedTour {
   public:
     IncomingReader(std::unique_ptr<TourReader> reader, Configuracion file)
-        : reader_(std::move(reader)), file_(std::move(file)) {}
+        : DerivedTour(std::move(reader)), file_(std::move(file)) {}
 
-    std::optional<Scan> next_scan() override { return reader_->next_scan(); }
-    std::optional<Odometria> next_odometry() override { return reader_->next_odometry(); }
-    void restart() override { reader_->restart(); }
     std::unique_ptr<TourReader> reopen() const override { return open_tour(file_); }
-    const ReadReport& report() const override { return reader_->report(); }
-    std::optional<double> progress() const override { return reader_->progress(); }
-    std::string name() const override { return reader_->name(); }
-    std::string format() const override { return reader_->format(); }
     ReadOptions options() const override { return file_.source.read; }
-    std::vector<TourFinding> findings() const override { return reader_->findings(); }
-    std::optional<Truth> truth() const override { return reader_->truth(); }
 
   private:
-    std::unique_ptr<TourReader> reader_;
     Configuracion file_;
 };
 
