@@ -87,7 +87,7 @@ void StudyCalibration::lay_out(const std::vector<StudyCell>& cells) {
     if (below) plotLayout()->setRowStretchFactor(row, 0.01);
 }
 
-void StudyCalibration::draw(Panel& panel, const std::vector<StudyCell>& cells) {
+void StudyCalibration::draw_panel(Panel& panel, const std::vector<StudyCell>& cells) {
     for (std::size_t i = panel.lines.size(); i < cells.size(); ++i) {
         panel.lines.push_back(
             addGraph(panel.rect->axis(QCPAxis::atBottom), panel.rect->axis(QCPAxis::atLeft)));
@@ -111,7 +111,7 @@ void StudyCalibration::show_results(const StudyPlan& plan, const std::vector<Stu
         names_ << QString::fromStdString(plan.cell_label(cell));
     if (legend_ != nullptr) legend_->clearItems();  // before what they stand for goes
     lay_out(cells);
-    for (Panel& panel : panels_) draw(panel, cells);
+    for (Panel& panel : panels_) draw_panel(panel, cells);
     style(look_);
     name_lines();
     replot(QCustomPlot::rpQueuedReplot);

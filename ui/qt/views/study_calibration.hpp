@@ -43,7 +43,7 @@ class StudyCalibration final : public QCustomPlot {
 
     void lay_out(const std::vector<StudyCell>& cells);
     void add_panel(const CalibrationKind& kind);
-    void draw(Panel& panel, const std::vector<StudyCell>& cells);
+    void draw_panel(Panel& panel, const std::vector<StudyCell>& cells);
     void name_lines();
     void colour_lines();
 
