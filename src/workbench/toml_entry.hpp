@@ -107,7 +107,9 @@ class TomlEntry {
     }
     template <class Value>
     Value value(const toml::node& node, std::string_view key, const char* expected) const {
-        if (const auto value = node.value<Value>()) return *value;
+        // The library would take true for 1.
+        const bool fits = std::is_same_v<Value, bool> || !node.is_boolean();
+        if (const auto value = node.value<Value>(); value && fits) return *value;
         refuse(node, key, expected);
     }
 

@@ -2,6 +2,8 @@
 // hitos-cli benchmark as a user calls it.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -64,6 +66,36 @@ TEST_F(BenchmarkCommand, MakesATableWithPicturesAndGoesOn) {
     EXPECT_EQ(records.size(), 6U);
     EXPECT_EQ(call(plan() + " --out " + path("out")).status, 0);
     EXPECT_EQ(records_of("out"), records) << "nothing is done twice";
+}
+
+/// As `run` does: a figure of a tour that is read wrong is none, however many runs it is of.
+TEST_F(BenchmarkCommand, SaysWhatIsWrongWithATourAndSoDoesAStudy) {
+    const std::string log = HITOS_SOURCE_DIR "/data/bigloop.log.gz";
+    const std::string cut = file("cut.log.gz", content(log).substr(0, 30000));
+    const std::string plan = file(
+        "wrong.toml",
+        "runs = 2\n[[tour]]\nfile = \"" + log + "\"\nname = \"good\"\n[[tour]]\nfile = \"" + log +
+            "\"\nname = \"mirrored\"\nset = [\"source.laser_pose=0,0,0,upside-down\"]\n"
+            "[[tour]]\nfile = \"" +
+            cut + "\"\nname = \"cut\"\n[[algorithm]]\nname = \"EKF\"\npreset = \"ekf\"\n");
+    for (int time = 0; time < 2; ++time) {  // found done, it is said again
+        const json rows = object(plan + " --no-pictures --out " + path("out")).at("rows");
+        EXPECT_EQ(rows[0].at("remark"), "");
+        EXPECT_THAT(rows[1].at("remark").get<std::string>(),
+                    HasSubstr("the scans turn against the odometry"));
+        EXPECT_THAT(rows[2].at("remark").get<std::string>(), HasSubstr("the first: line"));
+    }
+    EXPECT_THAT(content(path("out/benchmark.md")),
+                HasSubstr("mirrored, EKF: the scans turn against the odometry"));
+
+    const std::string study = cli_ + " study " + log + " --preset ekf --runs 2 --out ";
+    const Outcome good = shell(study + path("good") + " --vary observation.common_sigma=0.01,0.02");
+    EXPECT_THAT(good.output, Not(HasSubstr("warning")));
+    const Outcome wrong =
+        shell(study + path("wrong") + " --set source.laser_pose=0,0,0,upside-down" +
+              " --vary observation.common_sigma=0.01,0.02");
+    EXPECT_THAT(wrong.output, HasSubstr("warning: the scans turn against the odometry"));
+    EXPECT_THAT(content(path("wrong/summary.md")), HasSubstr("Look at the log: the scans turn"));
 }
 
 TEST_F(BenchmarkCommand, HasTheSameHashesWithoutPicturesAndInParts) {
@@ -141,7 +173,7 @@ TEST_F(BenchmarkCommand, InfoTellsTheDigestThatAPlanNames) {
     const std::string log = HITOS_SOURCE_DIR "/data/logs/carmen-flaser.log.gz";
     const std::string info = cli_ + " info " + log;
     const std::string digest = json::parse(shell(info + " --json").output).at("digest");
-    EXPECT_THAT(shell(info).output, HasSubstr("\ndigest of the file: " + digest + "\n"));
+    EXPECT_THAT(shell(info).output, HasSubstr("\ndigest: " + digest + "\n"));
     const auto plan_with = [&](const std::string& named) {
         return file("digest.toml", "runs = 1\n[[tour]]\nfile = \"" + log + "\"\ndigest = \"" +
                                        named + "\"\n[[algorithm]]\nname = \"EKF\"\n" +
@@ -152,6 +184,31 @@ TEST_F(BenchmarkCommand, InfoTellsTheDigestThatAPlanNames) {
     const Outcome other = call(plan_with("0" + digest.substr(1, 30) + "x") + out);
     EXPECT_EQ(other.status, 2);
     EXPECT_THAT(other.output, HasSubstr("its digest is " + digest));
+    std::string capitals = digest;
+    std::ranges::transform(capitals, capitals.begin(), ::toupper);
+    EXPECT_EQ(call(plan_with(capitals) + out).status, 0);
+    EXPECT_THAT(call(file("true.toml",
+                          "runs = true\n[[tour]]\nfile = \"recinto\"\n"
+                          "[[algorithm]]\nname = \"EKF\"\n") +
+                     out)
+                    .output,
+                HasSubstr("runs: expected a whole number"));
+}
+
+// Of a tour in several files the one that is named says little.
+TEST_F(BenchmarkCommand, ADigestIsOfAllFilesOfATour) {
+    fs::create_directories(path("mr"));
+    const std::string head = "# UTIAS Multi-Robot Cooperative Localization and Mapping Dataset\n";
+    const std::string odometry = file("mr/Robot1_Odometry.dat", head + "0 0 0\n1 0.1 0\n2 0.1 0\n");
+    const std::string seen = file("mr/Robot1_Measurement.dat", head + "1 63 2 0.1\n2 63 1.9 0.1\n");
+    file("mr/Barcodes.dat", head + "6 63\n");
+    const auto digest_of = [&](const std::string& name) -> std::string {
+        return json::parse(shell(cli_ + " info " + name + " --json").output).at("digest");
+    };
+    const std::string digest = digest_of(odometry);
+    EXPECT_EQ(digest_of(seen), digest);
+    file("mr/Robot1_Measurement.dat", head + "1 63 2.1 0.1\n2 63 1.9 0.1\n");
+    EXPECT_NE(digest_of(odometry), digest);
 }
 
 TEST_F(BenchmarkCommand, ARowThatCannotBeIsTold) {

@@ -10,12 +10,12 @@
 
 #include "commands.hpp"
 #include "damage.hpp"
-#include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/plural.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/services/results/results.hpp"
+#include "hitos/workbench/benchmark.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "hitos/workbench/source_inspection.hpp"
@@ -79,12 +79,16 @@ void tell_first_lines(const SourceInspection& found, Report& report) {
     }
 }
 
-/// As plans of benchmarks name it; of a recording that is a folder there is none.
+/// As plans of benchmarks name it; what comes through a pipe is gone.
 void tell_digest(const std::string& source, Report& report) {
     std::error_code ignored;
-    if (!std::filesystem::is_regular_file(source, ignored)) return;
-    const std::string digest = Digest().add_file(source).text();
-    report.say("digest of the file: {}\n", digest);
+    const auto type = std::filesystem::status(source, ignored).type();
+    if (type != std::filesystem::file_type::regular &&
+        type != std::filesystem::file_type::directory) {
+        return;
+    }
+    const std::string digest = digest_of_tour(source);
+    report.say("digest: {}\n", digest);
     report.object()["digest"] = digest;
 }
 

@@ -139,6 +139,7 @@ int report(const StudyOutcome& outcome, const StudyLayout& layout, SummaryForm f
     }
     std::fflush(stdout);
     for (const Advice& doubt : outcome.doubts) said.warn(doubt.words());
+    for (const Message& doubt : outcome.tour_doubts) said.warn(doubt.english());
     if (!outcome.plot_problem.empty()) {
         fmt::print(stderr, "no plots: {}; their scripts are beside {}\n",
                    outcome.plot_problem.english(), layout.file("landmarks.gp").string());

@@ -14,6 +14,10 @@
 
 namespace hitos {
 
+/// By what a plan knows a tour: Digest::text() of its file, or of the names and contents of all that
+/// it is read from, as of a recording in a folder. Throws FileError where one cannot be read.
+std::string digest_of_tour(const std::filesystem::path& path);
+
 /// A log or world to be mapped, and what its maps are measured against.
 struct BenchmarkTour {
     std::string name;        ///< in the table; no other tour has it
@@ -21,7 +25,7 @@ struct BenchmarkTour {
     std::string map;         ///< reference map; empty: none
     std::string trajectory;  ///< reference path (TUM); empty: none, or a world's own
     std::string relations;   ///< between its poses (hitos/services/evaluation/relations.hpp)
-    std::string digest;      ///< Digest::text() of the file; empty: nobody says
+    std::string digest;      ///< digest_of_tour(); empty: nobody says
     std::string address;     ///< where the file can be had; empty: nobody says
     double noise = 0.0;      ///< level of what is added to the odometry of each run
     OdometryNoiseKind noise_kind = OdometryNoiseKind::relative_sigma;

@@ -65,11 +65,7 @@ class Stopwatch {
 /// run by run; where the log is what varies, each run finds out for itself.
 void try_source(const Study& study, StudyOutcome& outcome) {
     const StudyPlan& plan = outcome.plan;
-    const std::vector<std::string> keys = plan.keys();
-    if (std::any_of(keys.begin(), keys.end(),
-                    [](const std::string& key) { return key.starts_with("source."); })) {
-        return;
-    }
+    if (study::varies_source(plan)) return;
     StudyJob job{0, plan.first_seed, study.configuration};
     job.configuration.run.seed = job.seed;
     const std::unique_ptr<TourReader> tour = study.source.open_tour(job);
@@ -218,11 +214,12 @@ class Crew {
         const study::SharedReadings::Use use(shared_, study, job);
         study::SharedReadings::Parts parts = use.parts();
         if (parts.shared) watch = {};  // reading for several runs is no run's own work
+        const bool looks = study::looks_at_tour(plan, number);
         Algoritmo run(job.configuration, std::move(parts.reader),
                       // What is shared lies in memory already, and what is not found no room there.
                       {.step_grid = false,
                        .remember_bytes = 0,
-                       .examine = false,
+                       .examine = looks,
                        .time_stages = true,
                        .extractor = std::move(parts.extractor)});
         constexpr std::uint64_t kTellEvery = 64;
@@ -235,8 +232,10 @@ class Crew {
             }
         }
         watch.stop();
-        return study::measure_run(study, folders_[s].work(), plan, number, run, calibration,
-                                  options_.stop);
+        auto record = study::measure_run(study, folders_[s].work(), plan, number, run, calibration,
+                                         options_.stop);
+        if (record && looks) record->tour_doubts = study::doubts_of_tour(run);
+        return record;
     }
 
     /// `part` of the task is done; with its record, all of it.
@@ -401,6 +400,7 @@ std::vector<StudyOutcome> run_studies(std::span<const Study> studies, const Stud
             publish(folders[s], outcomes[s]);
             doubt_map(studies[s], outcomes[s]);
             doubt_path(outcomes[s]);
+            outcomes[s].tour_doubts = tour_doubts(outcomes[s].records);
         }
     }
     return outcomes;
@@ -436,6 +436,7 @@ StudyOutcome merge_study(const StudyLayout& layout, std::span<const StudyLayout>
         throw Error(message("%1: %2", layout.folder.string(), missing_runs(outcome.plan, missing)));
     }
     outcome.reused = outcome.plan.runs() - outcome.failed;
+    outcome.tour_doubts = tour_doubts(outcome.records);
     publish(folder, outcome);
     return outcome;
 }

@@ -80,6 +80,10 @@ StudyRecord record_of(const ordered_json& json, const std::string& file) {
     record.state_bytes = json.value("state_bytes", std::size_t{0});
     record.map_digest = json.at("map");
     record.picture = optional_picture(json.at("picture"));
+    if (json.contains("tour_doubts")) {
+        for (const auto& doubt : json.at("tour_doubts"))
+            record.tour_doubts.push_back(verbatim(doubt.get<std::string>()));
+    }
     return record;
 }
 
@@ -114,6 +118,7 @@ void write_record(const StudyLayout& layout, const StudyPlan& plan, std::size_t 
                  {"state_bytes", record.state_bytes},
                  {"map", record.map_digest},
                  {"picture", json_of(record.picture)}});
+    for (const Message& doubt : record.tour_doubts) json["tour_doubts"].push_back(doubt.english());
     write_file(record_file(layout, plan, run), sealed(json));
 }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study_run.hpp"
 
+#include <algorithm>
+#include <utility>
+
+#include "hitos/capture/tour_examination.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/drawing/picture_file.hpp"
 #include "hitos/services/evaluation/reference_fit.hpp"
@@ -56,6 +60,27 @@ References references_of(const Study& study, const Algoritmo& run) {
 }
 
 }  // namespace
+
+bool varies_source(const StudyPlan& plan) {
+    return std::ranges::any_of(plan.keys(),
+                               [](const std::string& key) { return key.starts_with("source."); });
+}
+
+bool looks_at_tour(const StudyPlan& plan, std::size_t number) {
+    const auto seeds = static_cast<std::size_t>(plan.seeds);
+    return number % (varies_source(plan) ? seeds : plan.runs()) == 0;
+}
+
+std::vector<Message> doubts_of_tour(const Algoritmo& run) {
+    std::vector<TourFinding> found = run.reader().findings();
+    if (run.examination() != nullptr) found = run.examination()->findings(std::move(found));
+    std::vector<Message> doubts;
+    for (const TourFinding& finding : found) {
+        const Message advice = advice_of(finding);
+        doubts.push_back(advice.empty() ? finding.what : message("%1; %2", finding.what, advice));
+    }
+    return doubts;
+}
 
 RunCalibration::RunCalibration(const TourReader& tour) {
     if (std::optional<Truth> truth = tour.truth()) truth_.emplace(std::move(truth->path));

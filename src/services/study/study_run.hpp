@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "evaluation/calibration.hpp"
 #include "hitos/services/evaluation/position_error.hpp"
@@ -27,6 +28,14 @@ class RunCalibration {
     std::optional<PositionError> truth_;
     Calibration calibration_;
 };
+
+/// Whether the study's runs differ in how their tour is read.
+bool varies_source(const StudyPlan& plan);
+/// Whether this run says what there is to doubt about its tour: the first one of all that read it
+/// alike.
+bool looks_at_tour(const StudyPlan& plan, std::size_t number);
+/// What a finished run that examined its tour has to doubt, and what can be done.
+std::vector<Message> doubts_of_tour(const Algoritmo& run);
 
 /// Writes the run's map (and grid and path, where it is pictured) and gives its record. Nothing
 /// where the study was stopped before the grid's end.

@@ -113,6 +113,18 @@ std::string damage_sentence(std::span<const StudyCell> cells) {
         plural(skipped, "line"), plural(backwards, "stamp"));
 }
 
+/// Empty where nobody doubts the tours.
+std::string doubt_sentence(std::span<const StudyCell> cells) {
+    std::vector<std::string> doubts;
+    for (const StudyCell& cell : cells) {
+        for (const Message& doubt : cell.tour_doubts) {
+            if (std::ranges::count(doubts, doubt.english()) == 0) doubts.push_back(doubt.english());
+        }
+    }
+    if (doubts.empty()) return {};
+    return fmt::format(" Look at the log: {}.", fmt::join(doubts, ". "));
+}
+
 std::string reference_sentence(const StudyPlan& plan, std::span<const StudyCell> cells) {
     if (!plan.has_reference()) {
         return std::string("Without a reference map.") +
@@ -170,6 +182,17 @@ bool has_figures(std::span<const StudyCell> cells, const Measure& measure) {
         cells, [&](const StudyCell& cell) { return cell.figures[measure].has_value(); });
 }
 
+std::vector<Message> tour_doubts(std::span<const StudyRecord> records) {
+    std::vector<Message> doubts;
+    for (const StudyRecord& record : records) {
+        for (const Message& doubt : record.tour_doubts) {
+            if (std::ranges::count(doubts, doubt.english(), &Message::english) == 0)
+                doubts.push_back(doubt);
+        }
+    }
+    return doubts;
+}
+
 std::vector<StudyCell> summarize(const StudyPlan& plan, std::span<const StudyRecord> records) {
     std::vector<StudyCell> cells;
     for (std::size_t cell = 0; cell < plan.cells(); ++cell) {
@@ -186,6 +209,7 @@ std::vector<StudyCell> summarize(const StudyPlan& plan, std::span<const StudyRec
             row.skipped_lines = std::max(row.skipped_lines, record.report.skipped);
             row.stamps_backwards = std::max(row.stamps_backwards, record.report.stamps_backwards);
         }
+        row.tour_doubts = tour_doubts(runs);
         for (const Measure* measure : taken_measures()) {
             std::vector<double> values;
             for (const StudyRecord& record : runs) {
@@ -292,14 +316,15 @@ std::string summary_csv(const StudyPlan& plan, std::span<const StudyCell> cells)
 }
 
 std::string summary_markdown(const StudyPlan& plan, std::span<const StudyCell> cells) {
-    return fmt::format("{}\n{}{}\n{}", markdown(pretty_table(plan, cells, false)),
+    return fmt::format("{}\n{}{}{}\n{}", markdown(pretty_table(plan, cells, false)),
                        reference_sentence(plan, cells), damage_sentence(cells),
-                       study::below(calibration_of(plan, cells), markdown));
+                       doubt_sentence(cells), study::below(calibration_of(plan, cells), markdown));
 }
 
 std::string summary_latex(const StudyPlan& plan, std::span<const StudyCell> cells) {
-    return fmt::format("{}% {}{}\n{}", latex(pretty_table(plan, cells, true)),
+    return fmt::format("{}% {}{}{}\n{}", latex(pretty_table(plan, cells, true)),
                        reference_sentence(plan, cells), damage_sentence(cells),
+                       doubt_sentence(cells),
                        study::below(calibration_of(plan, cells), latex, "% "));
 }
 
@@ -326,6 +351,7 @@ std::string summary_json(const StudyPlan& plan, std::span<const StudyCell> cells
             row[measure->word] = spread_json(cell.figures[*measure]);
         row["skipped_lines"] = cell.skipped_lines;
         row["stamps_backwards"] = cell.stamps_backwards;
+        for (const Message& doubt : cell.tour_doubts) row["tour_doubts"].push_back(doubt.english());
         rows.push_back(std::move(row));
     }
     ordered_json reference;

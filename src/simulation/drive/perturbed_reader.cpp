@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "hitos/base/error.hpp"
 #include "hitos/base/random_stream.hpp"
 #include "hitos/capture/derived_tour.hpp"
 
@@ -33,6 +34,13 @@ class PerturbedReader final : public DerivedTour {
     std::optional<Scan> next_scan() override {
         if (at_.scans == 0) leave_out_scans(tour());
         std::optional<Scan> scan = tour().next_scan();
+        if (!scan && at_.scans == 0) {
+            throw FileError(name(),
+                            HITOS_TEXT("Errors",
+                                       "is too short for copy %1, which leaves out the first %2 "
+                                       "scans; ask for fewer copies"),
+                            copy_, kScansLeftOut * copy_);
+        }
         if (scan) perturb(*scan, ++at_.scans);
         return scan;
     }

@@ -6,6 +6,7 @@
 #include <sys/utsname.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <thread>
 #include <tuple>
@@ -14,6 +15,7 @@
 #include "hitos/base/digest.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/staged_folder.hpp"
+#include "hitos/capture/archivo.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/evaluation/reference_fit.hpp"
 #include "hitos/services/evaluation/relations.hpp"
@@ -61,6 +63,23 @@ std::string file_word(const std::string& name) {
     return word == name ? word : word + "-" + Digest().add(name).text().substr(0, kTold);
 }
 
+}  // namespace
+
+std::string digest_of_tour(const std::filesystem::path& path) {
+    std::vector<std::filesystem::path> files = log_files(path);
+    std::error_code ignored;
+    std::erase_if(files, [&](const std::filesystem::path& file) {
+        return !std::filesystem::exists(file, ignored);  // what a recording may have
+    });
+    if (files.size() < 2) return Digest().add_file(files.empty() ? path : files.front()).text();
+    Digest digest;
+    for (const std::filesystem::path& file : files)
+        digest.add(file.filename().string()).add_file(file);
+    return digest.text();
+}
+
+namespace {
+
 /// What the tour's file is, if it is what the plan means. Throws Error.
 std::string checked_source(const BenchmarkTour& tour) {
     std::string source = source_named(tour.file);
@@ -70,8 +89,9 @@ std::string checked_source(const BenchmarkTour& tour) {
                         tour.address);
     }
     if (tour.digest.empty()) return source;
-    const std::string found = Digest().add_file(source).text();
-    if (found != tour.digest) {
+    const std::string found = digest_of_tour(source);
+    const auto upper = [](unsigned char letter) { return std::toupper(letter); };
+    if (!std::ranges::equal(found, tour.digest, {}, upper, upper)) {
         throw FileError(source,
                         HITOS_TEXT("Errors",
                                    "is another file than the plan means: its digest is "
@@ -199,7 +219,7 @@ class Work {
                     take("relations_m", relations.translation_m.mean);
                     take("relations_turn_deg", relations.rotation_rad.mean * 180.0 / kPi);
                 } else {
-                    row.remark += (row.remark.empty() ? "" : " ") + std::string(kNoRelation);
+                    remark(row, std::string(kNoRelation));
                 }
             }
             row.runs = 1;
@@ -212,6 +232,11 @@ class Work {
             row.failed = 1;
             row.problem = error.what();
         }
+    }
+
+    static void remark(BenchmarkRow& row, const std::string& words) {
+        if (!row.remark.empty()) row.remark += ' ';
+        row.remark += words;
     }
 
     void fill(BenchmarkRow& row, std::size_t place, const StudyOutcome& outcome) const {
@@ -241,10 +266,22 @@ class Work {
                 row.stages->at(i) += record.stages->at(i) / cell.finished;
         }
         if (row.runs == plan_.runs) row.hash = hash.text();
-        for (const Advice& doubt : outcome.doubts)
-            row.remark += (row.remark.empty() ? "" : " ") + doubt.words();
+        for (const Advice& doubt : outcome.doubts) remark(row, doubt.words());
+        for (const Message& doubt : outcome.tour_doubts) remark(row, doubt.english() + ".");
+        if (const StudyRecord* damaged = most_damaged(outcome.records)) {
+            remark(
+                row,
+                fmt::format(
+                    "The log is damaged: lines skipped: {}, stamps that did not "
+                    "advance: {}{}.",
+                    damaged->report.skipped, damaged->report.stamps_backwards,
+                    damaged->report.examples.empty()
+                        ? ""
+                        : "; the first: " +
+                              damaged->report.placed(damaged->report.examples.front()).english()));
+        }
         if (!studies_[place].relations.empty() && row.runs > 0 && !row.figures["relations_m"])
-            row.remark += (row.remark.empty() ? "" : " ") + std::string(kNoRelation);
+            remark(row, std::string(kNoRelation));
         const std::filesystem::path sheet = studies_[place].layout.file("contact-sheet.png");
         std::error_code ignored;
         if (outcome.records.front().picture && std::filesystem::exists(sheet, ignored)) {

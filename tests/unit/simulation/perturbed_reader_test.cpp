@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/odometry_track.hpp"
 #include "hitos/capture/procesador.hpp"
@@ -58,6 +59,17 @@ TEST(PerturbedReader, LeavesOutTheFirstScansAndTheOdometryBefore) {
     EXPECT_GT(second.odometry[1].time_s, begin_s);
     EXPECT_EQ(second.odometry.front().twist, Twist());
     EXPECT_EQ(second.odometry.back().time_s, all.odometry.back().time_s);
+}
+
+TEST(PerturbedReader, ATourThatIsTooShortForACopyIsToldSo) {
+    const std::size_t scans = read_all(*plain()).scans.size();
+    try {
+        copy((scans + 2) / 3)->next_scan();
+        ADD_FAILURE() << "a copy of no scan";
+    } catch (const FileError& error) {
+        EXPECT_THAT(error.what(), ::testing::HasSubstr("too short for copy"));
+    }
+    EXPECT_TRUE(copy((scans - 1) / 3)->next_scan());
 }
 
 TEST(PerturbedReader, AddsTenMillimetresToRangesAsTheLaserSeesThem) {
@@ -118,10 +130,6 @@ TEST(PerturbedReader, OfARobotAtRestTheStepsStayWhatTheyAre) {
         read_all(*make_perturbed_reader(std::make_unique<Procesador>(open_log(log.string())), 1));
     EXPECT_EQ(rest.scans.size(), 2U);
     for (const Odometria& reading : rest.odometry) EXPECT_EQ(reading.twist, Twist());
-    // Of a log that ends within what is left out there is nothing, and no error.
-    EXPECT_TRUE(
-        read_all(*make_perturbed_reader(std::make_unique<Procesador>(open_log(log.string())), 9))
-            .scans.empty());
 }
 
 TEST(PerturbedReader, ACopyIsTheSameEveryTimeAndAnotherOneIsNot) {

@@ -181,6 +181,7 @@ void StudyDialog::finish(const StudyOutcome& outcome) {
                          .arg(record->report.stamps_backwards);
         }
         for (const Advice& doubt : outcome.doubts) words << words_of(doubt);
+        for (const Message& doubt : outcome.tour_doubts) words << words_of(doubt);
         if (!outcome.plot_problem.empty()) {
             words << tr("No picture files of the plots: %1").arg(words_of(outcome.plot_problem));
         }

@@ -133,11 +133,12 @@ struct StudyOutcome {
     std::size_t computed = 0;
     std::size_t reused = 0;
     std::size_t failed = 0;
-    std::vector<Advice> doubts;  ///< whether the references are those of this tour
-    bool beside = false;         ///< another study's results are still in place
-    bool stopped = false;        ///< before every run was done: there are no tables and plots
-    Message plot_problem;        ///< why there are no plots; empty where there are, and for shards
-    Message picture_problem;     ///< likewise of the contact sheet
+    std::vector<Advice> doubts;             ///< whether the references are those of this tour
+    std::vector<Message> tour_doubts = {};  ///< what looks wrong in the tours themselves
+    bool beside = false;                    ///< another study's results are still in place
+    bool stopped = false;     ///< before every run was done: there are no tables and plots
+    Message plot_problem;     ///< why there are no plots; empty where there are, and for shards
+    Message picture_problem;  ///< likewise of the contact sheet
 };
 
 /// Thrown by what needs whole studies where they were stopped.

@@ -128,7 +128,13 @@ struct StudyRecord {
     std::optional<StudyPicture> picture;
     /// Of its path's shape, see ReferenceFit; not of a run that was read.
     std::optional<Advice> reference_doubt = std::nullopt;
+    /// What there is to doubt about its tour, where the run looked (see study::looks_at_tour()); in
+    /// English where it was read.
+    std::vector<Message> tour_doubts = {};
 };
+
+/// Those of all runs, each once.
+std::vector<Message> tour_doubts(std::span<const StudyRecord> records);
 
 /// The run whose log is the most damaged: lines skipped, or stamps that went backwards; null where
 /// no log is.
@@ -150,9 +156,10 @@ struct StudyCell {
     std::vector<std::string> texts;
     int finished = 0;
     int failed = 0;
-    std::uint64_t skipped_lines = 0;     ///< of the log, in the run with the most
-    std::uint64_t stamps_backwards = 0;  ///< likewise
-    ByMeasure<Spread> figures;           ///< over the runs that have them
+    std::uint64_t skipped_lines = 0;        ///< of the log, in the run with the most
+    std::uint64_t stamps_backwards = 0;     ///< likewise
+    std::vector<Message> tour_doubts = {};  ///< of its runs, each once
+    ByMeasure<Spread> figures;              ///< over the runs that have them
 };
 std::vector<StudyCell> summarize(const StudyPlan& plan, std::span<const StudyRecord> records);
 /// Whether any cell has it.
