@@ -31,6 +31,8 @@ const char* word_of(Verdict verdict) {
             return "gone";
         case Verdict::appeared:
             return "new";
+        case Verdict::other:
+            return "another setting";
     }
     return "";
 }
@@ -130,6 +132,8 @@ std::vector<BenchmarkChange> compare_benchmarks(const BenchmarkTable& before,
         const BenchmarkRow* old = twin(before, row);
         if (old == nullptr) {
             changes.push_back({row.tour, row.algorithm, "", Verdict::appeared});
+        } else if (row.setting && old->setting && *row.setting != *old->setting) {
+            changes.push_back({row.tour, row.algorithm, "", Verdict::other});
         } else if (!row.hash.empty() && row.hash == old->hash) {
             changes.push_back({row.tour, row.algorithm, "", Verdict::same});
         } else {

@@ -94,7 +94,9 @@ std::string remarks(const BenchmarkTable& table) {
         "time. Equal hashes: equal figures and maps, bit by bit.\n\nHitos {}, {}.\nOn {}.\n",
         table.runs, table.first_seed, table.version, table.program, table.machine);
     for (const BenchmarkRow& row : table.rows) {
-        for (const std::string& words : {row.problem, row.remark}) {
+        std::string setting = row.setting.value_or("");
+        if (!setting.empty()) setting = fmt::format("with {}.", setting);
+        for (const std::string& words : {setting, row.problem, row.remark}) {
             if (words.empty()) continue;
             text += fmt::format("\n{}, {}: {}\n", row.tour, row.algorithm, on_one_line(words));
         }
@@ -185,6 +187,7 @@ std::string benchmark_csv(const BenchmarkTable& table) {
     for (const BenchmarkRow& row : table.rows) all.push_back(&row.figures);
     const study::IntervalColumns intervals(all);
     for (auto& [column, none] : intervals.of({})) text.head.push_back(std::move(column));
+    text.head.emplace_back("setting");
     for (const BenchmarkRow& row : table.rows) {
         std::vector<std::string> fields{row.tour, row.algorithm, row.peer ? "1" : "0",
                                         fmt::format("{}", row.runs), fmt::format("{}", row.failed)};
@@ -207,6 +210,7 @@ std::string benchmark_csv(const BenchmarkTable& table) {
             fields.push_back(row.stages ? fmt::format("{:.6f}", row.stages->at(i)) : "");
         fields.push_back(row.stages ? fmt::format("{:.0f}", row.state_bytes) : "");
         for (auto& [column, limit] : intervals.of(row.figures)) fields.push_back(std::move(limit));
+        fields.push_back(row.setting.value_or(""));
         text.rows.push_back(std::move(fields));
     }
     return csv(text);
@@ -225,6 +229,8 @@ BenchmarkRow row_in(const ordered_json& json) {
     row.tour = json.at("tour");
     row.algorithm = json.at("algorithm");
     row.peer = json.at("peer");
+    row.setting.reset();
+    if (json.contains("setting")) row.setting = json.at("setting").get<std::string>();
     row.runs = json.at("runs");
     row.failed = json.at("failed");
     row.hash = json.at("hash");
@@ -297,6 +303,7 @@ std::string benchmark_json(const BenchmarkTable& table) {
         ordered_json json{{"tour", row.tour},
                           {"algorithm", row.algorithm},
                           {"peer", row.peer},
+                          {"setting", row.setting.value_or("")},
                           {"runs", row.runs},
                           {"failed", row.failed},
                           {"hash", row.hash},

@@ -171,6 +171,7 @@ class Work {
                                            file_word(algorithm.name));
             set_study_source(study, tour.noise, tour.noise_kind);
             set_study_copies(study, tour.copies);
+            row.setting = study.setting;
             try_study(study);
             studies_.push_back(std::move(study));
             places_.push_back(rows_.size() - 1);

@@ -114,37 +114,47 @@ TEST(Correlation, QuartersAreTheSumsOfTheirCellsInTheMapAndBeyondItsEdge) {
 
 TEST(Correlation, ALatticeBoundsTheSumsOfARowOfSquaresInTheMapAndBeyondItsEdge) {
     const Walls room = test::recess_room();
-    const CorrelationMap picture(map_of(room, {}), 20.0, 3);
-    const SquareLattice lattice(picture);
-    const int side = 8;
-    std::vector<CorrelationMap::Cell> cells;
-    for (const SurfacePoint& p : test::drawn_points(room, {0.2, -0.1, 0.5})) {
-        if (cells.size() < SquareLattice::kMostCells)
-            cells.push_back(picture.cell(static_cast<double>(p.x), static_cast<double>(p.y)));
-    }
-    const CorrelationMap::Pattern all(cells);
-    const CorrelationMap::Pattern one({cells.front()});
-    int nothing = 0;
-    for (int y = -300; y <= 300; y += 17) {
-        for (int x = -700; x <= 300; x += 61) {
-            const SquareLattice::Sums bounds = lattice.bounds(all, x, y);
-            const SquareLattice::Sums of_one = lattice.bounds(one, x, y);
-            for (int i = 0; i < static_cast<int>(SquareLattice::kAcross); ++i) {
-                const auto place = static_cast<std::size_t>(i);
-                const int sum = picture.sum(all, x + i * side, y, 3);
-                EXPECT_GE(bounds[place], sum);
-                if (bounds[place] == 0) ++nothing;
-                // No cell reaches further than what four cells of the picture are joined to.
-                int most = 0;
-                for (int v = -3; v <= 3; ++v) {
-                    for (int u = -3; u <= 3; ++u)
-                        most = std::max(most, picture.sum(one, x + i * side + u, y + v, 3));
+    PointMap point;  // narrower than a square
+    point.begin({0.0, 0.0}, 30.0);
+    point.add(std::vector{test::drawn_points(room, {}).front()}, {}, 0);
+    point.build();
+    const auto holds = [&](const CorrelationMap& picture) {
+        const SquareLattice lattice(picture);
+        const int level = picture.levels();
+        const int side = 1 << level;
+        std::vector<CorrelationMap::Cell> cells;
+        for (const SurfacePoint& p : test::drawn_points(room, {0.2, -0.1, 0.5})) {
+            if (cells.size() < SquareLattice::kMostCells)
+                cells.push_back(picture.cell(static_cast<double>(p.x), static_cast<double>(p.y)));
+        }
+        const CorrelationMap::Pattern all(cells);
+        const CorrelationMap::Pattern one({cells.front()});
+        int nothing = 0;
+        for (int y = -300; y <= 300; y += 17) {
+            for (int x = -700; x <= 300; x += 61) {
+                const SquareLattice::Sums bounds = lattice.bounds(all, x, y);
+                const SquareLattice::Sums of_one = lattice.bounds(one, x, y);
+                for (int i = 0; i < static_cast<int>(SquareLattice::kAcross); ++i) {
+                    const auto place = static_cast<std::size_t>(i);
+                    const int sum = picture.sum(all, x + i * side, y, level);
+                    EXPECT_GE(bounds[place], sum);
+                    if (bounds[place] == 0) ++nothing;
+                    // No cell reaches further than what four cells of the picture are joined to.
+                    int most = 0;
+                    for (int v = -3; v <= 3; ++v) {
+                        for (int u = -3; u <= 3; ++u)
+                            most = std::max(most, picture.sum(one, x + i * side + u, y + v, level));
+                    }
+                    EXPECT_LE(of_one[place], most);
                 }
-                EXPECT_LE(of_one[place], most);
             }
         }
+        EXPECT_GT(nothing, 0);
+    };
+    for (const int levels : {2, 3, 4}) {
+        holds(CorrelationMap(map_of(room, {}), 20.0, levels));
+        holds(CorrelationMap(point, 20.0, levels));
     }
-    EXPECT_GT(nothing, 0);
 }
 
 TEST(Correlation, IsTheBestOfAllThatCouldBeTried) {

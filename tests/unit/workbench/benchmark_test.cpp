@@ -137,9 +137,6 @@ TEST_F(BenchmarkTest, KnowsThePlansThatComeWithHitos) {
     for (const BenchmarkTour& tour : all) {
         EXPECT_TRUE(tour.map.empty() || std::filesystem::exists(tour.map)) << tour.map;
     }
-    for (const char* recorded : {"recorded", "perturbed"}) {
-        for (const BenchmarkTour& tour : tours(recorded)) EXPECT_FALSE(tour.digest.empty());
-    }
     EXPECT_THAT(message_of<FileError>([] { find_benchmark("nothing"); }), HasSubstr("worlds"));
 }
 
@@ -349,6 +346,21 @@ TEST(BenchmarkChanges, TellChangesFromTheSpreadOfSeeds) {
     // Student's t of 24.5 with four degrees of freedom.
     EXPECT_NEAR(changes[2].chance.value(), 1.65e-5, 2e-7);
     EXPECT_EQ(changes_table(changes).rows[2].back(), "worse");
+}
+
+TEST(BenchmarkChanges, ARowOfAnotherSettingIsNoneToCompareWith) {
+    const auto of = [](std::optional<std::string> setting) {
+        BenchmarkTable table;
+        table.rows.push_back(row_of("tour", "hash", {1.0, 2.0}));
+        table.rows.back().setting = std::move(setting);
+        return table;
+    };
+    const auto verdict = [&](std::optional<std::string> before, std::optional<std::string> after) {
+        return compare_benchmarks(of(std::move(before)), of(std::move(after))).at(0).verdict;
+    };
+    EXPECT_EQ(verdict("", "3 perturbed copies"), HowChanged::other);
+    EXPECT_EQ(verdict("3 perturbed copies", "3 perturbed copies"), HowChanged::same);
+    EXPECT_EQ(verdict(std::nullopt, "3 perturbed copies"), HowChanged::same);
 }
 
 // Tables of Student's distribution: 5 % lie further out.

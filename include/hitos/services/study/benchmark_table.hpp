@@ -19,6 +19,8 @@ struct BenchmarkRow {
     std::string tour;
     std::string algorithm;
     bool peer = false;
+    /// What was done to the tour before it was mapped, in words; nothing of earlier versions.
+    std::optional<std::string> setting = "";
     int runs = 0;  ///< that have figures
     int failed = 0;
     std::optional<int> reference_landmarks;  ///< of the reference map
@@ -68,7 +70,8 @@ struct BenchmarkChange {
         worse,    ///< beyond that
         unknown,  ///< of a single run nobody can tell
         gone,     ///< the row, or its figure, is not there any more
-        appeared  ///< it was not there before
+        appeared,  ///< it was not there before
+        other      ///< another setting: another experiment
     };
     std::string tour;
     std::string algorithm;
