@@ -53,12 +53,15 @@ std::string script_text(const std::string& stem, std::span<const CalibrationCurv
     const auto legend = static_cast<int>(kLetter * longest + kBeside);
     constexpr int kAxis = 85;
     constexpr int kGap = 15;
-    constexpr int kLine = 20;  // of the legend
+    constexpr int kLine = 20;                       // of the legend
+    constexpr std::size_t kColours = 8;             // of gnuplot's lines, which then begin anew
+    constexpr std::array kDashes{1, 3, 4, 5};       // 2 is what ought to be
+    constexpr std::array kPoints{7, 5, 9, 13, 11};  // filled
     const int height = std::max(kWidth + kAxis / 3, kLine * (static_cast<int>(curves.size()) + 4));
     const int width = kWidth * static_cast<int>(panels.size()) + legend;
     std::string body =
         "set xlabel 'expected share'\nset ylabel 'share seen'\nset grid\n"
-        "set xrange [0.45:1.02]\nset yrange [0:1.04]\n"
+        "set xrange [0.45:1.02]\nset yrange [-0.04:1.04]\n"
         "set xtics (0.5, 0.68, 0.95, '' 0.99)\nset size ratio 1\n";
     for (std::size_t at = 0; at < panels.size(); ++at) {
         const std::size_t place = panels[at];
@@ -73,10 +76,12 @@ std::string script_text(const std::string& stem, std::span<const CalibrationCurv
         std::string plot =
             "plot x with lines dashtype 2 linecolor 'black' title 'as it ought to be'";
         for (std::size_t i = 0; i < curves.size(); ++i) {
+            const std::size_t round = i / kColours;
             plot += fmt::format(
-                ", \\\n     {} index {} using 1:{} with linespoints linewidth 1.5 pointtype 7 "
-                "pointsize 0.7 linecolor {} title {}",
-                gnuplot_file(stem + ".dat"), i, place + 2, i + 1, gnuplot_quoted(curves[i].name));
+                ", \\\n     {} index {} using 1:{} with linespoints linewidth 1.5 dashtype {} "
+                "pointtype {} pointsize 0.7 linecolor {} title {}",
+                gnuplot_file(stem + ".dat"), i, place + 2, kDashes.at(round % kDashes.size()),
+                kPoints.at(round % kPoints.size()), i + 1, gnuplot_quoted(curves[i].name));
         }
         body += plot + "\n";
     }

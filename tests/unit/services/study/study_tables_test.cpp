@@ -172,6 +172,26 @@ TEST(StudyTables, WithoutReferencePathsAndBlurStandInItsPlace) {
     EXPECT_FALSE(std::filesystem::exists(other / "trajectory-error.dat"));
 }
 
+TEST(StudyTables, LinesOfTheCalibrationPlotAreToldApart) {
+    StudyPlan::Axis axis = dmax_axis();
+    axis.values.clear();
+    for (int i = 1; i <= 17; ++i) axis.values.push_back({std::to_string(i)});
+    const StudyPlan plan = plan_of({axis}, 1);
+    std::vector<StudyRecord> records(17, run(0.1, 4, 4));
+    for (StudyRecord& record : records) {
+        for (const char* word : {"pose_in_50", "pose_in_68", "pose_in_95", "pose_in_99"})
+            record.figures[word] = 0.0;
+    }
+    const TempFolder folder;
+    study::write_plots(study_in_folder(folder.path()), plan, summarize(plan, records));
+    const std::string script = content(folder / "calibration.gp");
+    // gnuplot has eight colours.
+    EXPECT_THAT(script, HasSubstr("dashtype 1 pointtype 7 pointsize 0.7 linecolor 8 title"));
+    EXPECT_THAT(script, HasSubstr("dashtype 3 pointtype 5 pointsize 0.7 linecolor 9 title"));
+    EXPECT_THAT(script, HasSubstr("dashtype 4 pointtype 9 pointsize 0.7 linecolor 17 title"));
+    EXPECT_THAT(script, HasSubstr("set yrange [-0.04:1.04]"));  // whole points at the ends
+}
+
 TEST(StudyTables, CalibrationHasATableWithTheIntervalOfItsRuns) {
     const StudyPlan plan = plan_of({dmax_axis()}, 2);
     std::vector<StudyRecord> records(4, run(0.1, 4, 4));
