@@ -9,10 +9,14 @@
 #include <QRegularExpression>
 #include <QTranslator>
 #include <QXmlStreamReader>
+#include <functional>
 
 #include "dialogs/configuration_dialog.hpp"
 #include "dialogs/source_dialog.hpp"
 #include "gui_fixture.hpp"
+#include "hitos/services/study/study.hpp"
+#include "hitos/simulation/worlds/odometry_noise.hpp"
+#include "look/words_of.hpp"
 #include "tests.hpp"
 
 namespace hitos::window {
@@ -108,6 +112,25 @@ void WordsTest::a_refused_log_is_told_in_spanish() {
     VERIFY_SPANISH(verdict_on(f, f.write("vacio.log", "")), "está vacío");
     VERIFY_SPANISH(verdict_on(f, "/nowhere/x.log"), "no existe");
     VERIFY_SPANISH(verdict_on(f, f.folder.path()), "es una carpeta");
+}
+
+void WordsTest::choices_are_told_in_spanish() {
+    const Spanish spanish;
+    const auto told = [](const std::function<void()>& wrong) {
+        try {
+            wrong();
+        } catch (const std::exception& error) {
+            return words_of(error);
+        }
+        return QString();
+    };
+    Study study;
+    study.configuration.filter.motion.model = "proportional";
+    study.parameters = {parse_study_parameter("motion.sigma_x=0.004,0.008")};
+    VERIFY_SPANISH(told([&] { plan_study(study); }), "odometry o no-odometry");
+    study.parameters = {parse_study_parameter("filter.particles=5,10"), study.parameters.front()};
+    VERIFY_SPANISH(told([&] { plan_study(study); }), "odometry o no-odometry");
+    VERIFY_SPANISH(told([] { parse_noise_kind("pink", "--odometry-noise-kind"); }), " o ");
 }
 
 void WordsTest::a_bad_configuration_is_told_in_spanish() {

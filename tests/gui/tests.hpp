@@ -532,6 +532,7 @@ class WordsTest : public QObject {
     void the_program_tells_what_is_wrong();
     void every_message_of_the_libraries_is_translated();
     void a_refused_log_is_told_in_spanish();
+    void choices_are_told_in_spanish();
     void a_bad_configuration_is_told_in_spanish();
     void damaged_lines_are_told_in_spanish();
     void a_run_that_fails_is_told_in_spanish();

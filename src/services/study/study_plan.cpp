@@ -99,6 +99,21 @@ Configuracion configuration_of(const Configuracion& base, const std::vector<std:
     return configuration;
 }
 
+/// "odometry or no-odometry", as a condition has it, for readers of any language.
+Message needed_words(std::string_view needed) {
+    constexpr std::string_view kOr = " or ";
+    constexpr std::string_view kComma = ", ";
+    std::vector<std::string_view> words;
+    while (true) {
+        const std::size_t comma = needed.find(kComma);
+        const bool last = comma == std::string_view::npos;
+        const std::size_t end = last ? needed.find(kOr) : comma;
+        words.push_back(needed.substr(0, end));
+        if (end == std::string_view::npos) return either(words);
+        needed.remove_prefix(end + (last ? kOr : kComma).size());
+    }
+}
+
 /// A key without effect in all cells would make a study of equal runs.
 void check_effect(const Configuracion& base, const StudyPlan& plan) {
     const std::vector<std::string> keys = plan.keys();
@@ -114,7 +129,7 @@ void check_effect(const Configuracion& base, const StudyPlan& plan) {
     const ConfigParameter::Condition& unmet = *idle.front()->unmet(first);
     throw ConfigError(std::string(idle.front()->key),
                       HITOS_TEXT("Errors", "has no effect where %1 is %2; set it to %3"), unmet.key,
-                      find_parameter(unmet.key).text(first), unmet.needed);
+                      find_parameter(unmet.key).text(first), needed_words(unmet.needed));
 }
 
 /// All that decides a result, but for values and seeds: program, parameters, log, reference.

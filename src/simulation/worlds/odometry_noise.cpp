@@ -2,6 +2,8 @@
 #include "hitos/simulation/worlds/odometry_noise.hpp"
 
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/random_stream.hpp"
@@ -9,12 +11,13 @@
 namespace hitos {
 
 OdometryNoiseKind parse_noise_kind(std::string_view word, const std::string& option) {
-    std::string words;
+    std::vector<std::string_view> words;
     for (std::size_t i = 0; i < kOdometryNoiseKinds.size(); ++i) {
         if (kOdometryNoiseKinds[i].word == word) return static_cast<OdometryNoiseKind>(i);
-        words += (i == 0 ? "" : " or ") + std::string(kOdometryNoiseKinds[i].word);
+        words.push_back(kOdometryNoiseKinds[i].word);
     }
-    throw ConfigError(option, HITOS_TEXT("Errors", "found \"%1\", expected %2"), word, words);
+    throw ConfigError(option, HITOS_TEXT("Errors", "found \"%1\", expected %2"), word,
+                      either(words));
 }
 
 std::string noise_kind_choices() {
