@@ -298,6 +298,8 @@ class ViewTest : public QObject {
     void no_way_leads_from_one_tour_to_the_next();
     void a_view_is_saved_as_jpg_and_png();
     void pictures_are_written_as_shapes_too();
+    void shapes_are_clipped_in_svg_too();
+    void lines_of_a_plot_end_with_it_in_svg_too();
     void a_picture_goes_to_the_clipboard();
     void pictures_ask_before_they_overwrite();
     void a_picture_of_another_kind_is_refused();

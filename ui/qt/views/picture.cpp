@@ -10,6 +10,7 @@
 #include <QPdfWriter>
 #include <QSvgGenerator>
 
+#include "clipping_device.hpp"
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 
@@ -55,7 +56,8 @@ QByteArray svg_of(const Picture& picture) {
     device.setViewBox(QRectF(QPointF(), picture.size));
     device.setResolution(kDotsPerInch);
     device.setTitle("Hitos");
-    picture.paint(device, 1.0);
+    ClippingDevice clipped(device);
+    picture.paint(clipped, 1.0);
     return bytes;
 }
 

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Plots as shapes: nothing is drawn beyond where it is clipped.
+
+#include <qcustomplot.h>
+
+#include <QPainter>
+#include <QPainterPath>
+#include <QRegularExpression>
+#include <QSvgRenderer>
+
+#include "gui_fixture.hpp"
+#include "tests.hpp"
+#include "views/plot_style.hpp"
+#include "views/study_calibration.hpp"
+
+namespace hitos::window {
+namespace {
+
+QImage rendered(const QByteArray& svg, const QSize& size) {
+    QImage image(size, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    QSvgRenderer(svg).render(&painter);
+    return image;
+}
+
+int dark_pixels(const QImage& image, const QRect& but_for = {}) {
+    int dark = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if (!but_for.contains(x, y) && image.pixelColor(x, y).lightness() < 128) ++dark;
+    return dark;
+}
+
+/// One of several values, whose poses, and perhaps landmarks, lie in their regions.
+struct ManyValues {
+    StudyPlan plan;
+    std::vector<StudyCell> cells;
+
+    ManyValues(int values, bool landmarks) {
+        StudyPlan::Axis axis{"p", {"filter.particles"}, {""}, {}};
+        for (int i = 0; i < values; ++i) {
+            axis.values.push_back({std::to_string(i + 1)});
+            StudyCell cell;
+            for (const CalibrationKind& kind : kCalibrationKinds) {
+                if (&kind != &kCalibrationKinds.front() &&
+                    (!landmarks || &kind == &kCalibrationKinds.back()))
+                    continue;
+                for (const double region : kRegions) {
+                    const std::vector<double> share{region * (i + 1) / values};
+                    cell.figures[word_of_share(kind, region)] = spread_of(share);
+                }
+            }
+            cells.push_back(cell);
+        }
+        plan.axes.push_back(axis);
+    }
+};
+
+QByteArray svg_of(QCustomPlot& plot) {
+    FigureWish wish;
+    wish.width_mm = 170.0;
+    return encoded(figure_of(plot, [](const Colours&) {}).picture(wish), "svg");
+}
+
+}  // namespace
+
+void ViewTest::shapes_are_clipped_in_svg_too() {
+    const QRect clip(20, 20, 60, 60);
+    Picture picture;
+    picture.size = QSizeF(100.0, 100.0);
+    std::function<void(QPainter&)> draw;
+    picture.paint = [&](QPaintDevice& device, double by) {
+        QPainter painter(&device);
+        painter.scale(by, by);
+        painter.setClipRect(clip);
+        painter.setPen(QPen(Qt::black, 2.0));
+        draw(painter);
+        painter.setClipping(false);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(Qt::black);
+        painter.drawRect(2, 2, 4, 4);  // no longer clipped
+    };
+    QImage pixels(5, 5, QImage::Format_RGB32);
+    pixels.fill(Qt::white);
+    for (int y = 0; y < 5; ++y) {
+        pixels.setPixelColor(0, y, Qt::black);
+        pixels.setPixelColor(1, y, Qt::black);
+    }
+    const std::vector<std::function<void(QPainter&)>> all{
+        [](QPainter& p) { p.drawLine(-50, -20, 150, 120); },
+        [](QPainter& p) {
+            p.drawPolyline(QPolygonF({{0, 50}, {50, 10}, {50, 60}, {120, 60}}));
+        },
+        [](QPainter& p) {
+            p.setBrush(Qt::black);
+            p.drawPolygon(QPolygonF({{0, 50}, {50, 10}, {120, 60}}));
+        },
+        [](QPainter& p) { p.drawEllipse(10, 30, 50, 50); },
+        [](QPainter& p) { p.fillRect(QRect(10, 30, 30, 90), Qt::black); },
+        [&](QPainter& p) { p.drawImage(QRectF(50, 50, 50, 50), pixels); },
+        [&](QPainter& p) { p.drawImage(QRectF(13, 13, 50, 50), pixels); },
+        [&](QPainter& p) { p.drawImage(QRectF(30, 30, 30, 30), pixels, QRectF(0, 0, 3, 3)); }};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        draw = all[i];
+        const QImage seen = rendered(encoded(picture, "svg"), {100, 100});
+        const QImage wanted = image_of(picture);
+        const QRect corner(0, 0, 10, 10);
+        QVERIFY2(dark_pixels(seen.copy(corner)) >= 16, qPrintable(QString::number(i)));
+        const QRect around = clip.adjusted(-1, -1, 1, 1);  // lines are as wide as they are
+        QVERIFY2(dark_pixels(seen, around) == dark_pixels(wanted, around),
+                 qPrintable(QString::number(i)));
+        const int within = dark_pixels(wanted.copy(clip));
+        QVERIFY2(std::abs(dark_pixels(seen.copy(clip)) - within) <= 20 + within / 20,
+                 qPrintable(QString::number(i)));
+    }
+}
+
+void ViewTest::lines_of_a_plot_end_with_it_in_svg_too() {
+    const ManyValues study(3, false);
+    StudyCalibration plot(nullptr);
+    plot.resize(640, 400);
+    plot.show_results(study.plan, study.cells);
+    static const QRegularExpression lines("<polyline[^>]*points=\"([^\"]*)\"");
+    const QString svg = QString::fromUtf8(svg_of(plot));
+    int points = 0;
+    for (const QRegularExpressionMatch& line : lines.globalMatch(svg)) {
+        for (const QString& point : line.captured(1).split(' ', Qt::SkipEmptyParts)) {
+            const QStringList at = point.split(',');
+            QVERIFY2(at[0].toDouble() >= 0.0 && at[1].toDouble() >= 0.0 &&
+                         at[0].toDouble() <= 1000.0 && at[1].toDouble() <= 1000.0,
+                     qPrintable(line.captured(0)));
+            ++points;
+        }
+    }
+    QVERIFY(points > 10);
+}
+
+}  // namespace hitos::window
