@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plots as shapes: nothing is drawn beyond where it is clipped.
+// Plots as shapes: nothing is drawn beyond where it is clipped, and a legend names what it can.
 
 #include <qcustomplot.h>
 
@@ -56,6 +56,13 @@ struct ManyValues {
         plan.axes.push_back(axis);
     }
 };
+
+QStringList named_in(const QCustomPlot& plot) {
+    QStringList names;
+    for (auto* item : plot.findChildren<QCPPlottableLegendItem*>())
+        names << item->plottable()->name();
+    return names;
+}
 
 QByteArray svg_of(QCustomPlot& plot) {
     FigureWish wish;
@@ -134,6 +141,44 @@ void ViewTest::lines_of_a_plot_end_with_it_in_svg_too() {
         }
     }
     QVERIFY(points > 10);
+}
+
+void StudyTest::the_legend_of_shares_names_what_fits() {
+    StudyCalibration plot(nullptr);
+    plot.resize(900, 400);
+    const auto show = [&plot](int values, bool landmarks) {
+        const ManyValues study(values, landmarks);
+        plot.show_results(study.plan, study.cells);
+        plot.replot();
+        return named_in(plot);
+    };
+    for (const bool landmarks : {false, true}) {
+        QCOMPARE(show(3, landmarks).size(), 4);
+        QCOMPARE(show(12, landmarks).size(), 13);  // all, and what ought to be
+        const QString picture = qEnvironmentVariable("HITOS_PICTURES");
+        if (!picture.isEmpty()) {
+            plot.grab().save(picture + QString("/calibration-12-%1.png").arg(landmarks));
+            write_bytes(svg_of(plot), picture + QString("/calibration-12-%1.svg").arg(landmarks));
+        }
+        const QStringList some = show(400, landmarks);
+        QVERIFY2(some.size() > 12 && some.size() < 401, qPrintable(QString::number(some.size())));
+        // In the figure for print as far as there is room in it.
+        const QString svg = QString::fromUtf8(svg_of(plot));
+        QVERIFY(svg.contains("choose a"));
+        QVERIFY(!some.contains("p=399"));
+        plot.choose(398);
+        plot.replot();
+        QVERIFY(named_in(plot).contains("p=399"));
+        QCOMPARE(named_in(plot).size(), some.size());
+        if (!picture.isEmpty())
+            plot.grab().save(picture + QString("/calibration-400-%1.png").arg(landmarks));
+        plot.choose({});
+        // Points at the ends are not cut.
+        for (const QCPAxisRect* rect : plot.axisRects()) {
+            const QCPRange range = rect->axis(QCPAxis::atLeft)->range();
+            QVERIFY(range.lower < 0.0 && range.upper > 1.0);
+        }
+    }
 }
 
 }  // namespace hitos::window

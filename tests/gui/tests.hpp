@@ -426,6 +426,7 @@ class StudyTest : public QObject {
     void the_true_path_of_the_session_is_used();
     void other_figures_can_be_looked_at();
     void expected_and_seen_shares_are_a_plot();
+    void the_legend_of_shares_names_what_fits();
     void a_stopped_study_goes_on_where_it_was();
     void another_studys_folder_is_asked_about();
     void closing_while_it_runs_asks();

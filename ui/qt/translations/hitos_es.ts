@@ -9911,6 +9911,10 @@
         <source>%1 in the region of 50, 68, 95, 99 %: %2; NEES %3 (%4 to %5 where it is as sure as it may be)</source>
         <translation>%1 en la región del 50, 68, 95 y 99 %: %2; NEES %3 (de %4 a %5 si está tan seguro como puede estarlo)</translation>
     </message>
+    <message>
+        <source>and %1 more: choose a value to see its name</source>
+        <translation>y %1 más: elija un valor para ver su nombre</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::StudyRow</name>

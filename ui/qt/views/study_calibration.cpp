@@ -13,7 +13,6 @@ namespace hitos::window {
 namespace {
 
 constexpr int kColumns = 2;
-constexpr qsizetype kMostNamed = 10;  // lines of the legend
 
 QString name_words(const CalibrationKind& kind) {
     QString words = QCoreApplication::translate("Calibration", kind.name);
@@ -54,7 +53,7 @@ void StudyCalibration::add_panel(const CalibrationKind& kind) {
     x->setTicker(ticker);
     x->setRange(kRegions.front() - 0.05, 1.02);
     x->setLabel(StudyPlots::tr("expected share"));
-    y->setRange(0.0, 1.04);
+    y->setRange(-0.04, 1.04);  // points at the ends are whole
     y->setLabel(StudyPlots::tr("share seen"));
     panel.ideal = addGraph(x, y);
     panel.ideal->setData({0.0, 1.0}, {0.0, 1.0});
@@ -73,18 +72,24 @@ void StudyCalibration::lay_out(const std::vector<StudyCell>& cells) {
     plotLayout()->simplify();
     panels_.clear();
     for (const CalibrationKind* kind : kinds) add_panel(*kind);
-    legend_ = new QCPLegend;
-    legend_box_ = new QCPLayoutInset;  // else the lines would spread over all of it
     const auto place = static_cast<int>(panels_.size());
     // Below all plots it takes no more room than it needs.
     const bool below = place % kColumns == 0;
     const int row = 2 * (place / kColumns) + (below ? 0 : 1);
-    plotLayout()->addElement(row, place % kColumns, legend_box_);
-    legend_box_->addElement(legend_, Qt::AlignLeft | Qt::AlignTop);
-    legend_->setLayer("legend");
-    legend_->setBorderPen(Qt::NoPen);
-    legend_->setBrush(Qt::NoBrush);
+    legend_ = new FittingLegend([this, below] { return room_of_legend(below); }, below);
+    plotLayout()->addElement(row, place % kColumns, legend_);
     if (below) plotLayout()->setRowStretchFactor(row, 0.01);
+}
+
+QSize StudyCalibration::room_of_legend(bool below) {
+    constexpr int kMostBelow = 3;  // the plots have the rest
+    const QSize all = viewport().size();
+    if (below) return {all.width(), all.height() / kMostBelow};
+    const int row = panels_.back().row;
+    const QCPTextElement& title = *title_of(*this, row, 0);
+    const QMargins around = title.margins();
+    const int above = QFontMetrics(title.font()).height() + around.top() + around.bottom();
+    return {all.width() / kColumns, all.height() / (row + 1) - above};
 }
 
 void StudyCalibration::draw_panel(Panel& panel, const std::vector<StudyCell>& cells) {
@@ -109,28 +114,17 @@ void StudyCalibration::show_results(const StudyPlan& plan, const std::vector<Stu
     names_.clear();
     for (std::size_t cell = 0; cell < cells.size(); ++cell)
         names_ << QString::fromStdString(plan.cell_label(cell));
-    if (legend_ != nullptr) legend_->clearItems();  // before what they stand for goes
+    if (legend_ != nullptr) legend_->forget_lines();
     lay_out(cells);
     for (Panel& panel : panels_) draw_panel(panel, cells);
     style(look_);
-    name_lines();
+    if (!panels_.empty()) {
+        std::vector<QCPGraph*> lines{panels_.front().ideal};
+        lines.insert(lines.end(), panels_.front().lines.begin(), panels_.front().lines.end());
+        legend_->show_lines(std::move(lines));
+        legend_->choose(chosen_);
+    }
     replot(QCustomPlot::rpQueuedReplot);
-}
-
-/// All, where they are few, else the one that is chosen.
-void StudyCalibration::name_lines() {
-    if (panels_.empty()) return;
-    legend_->clearItems();
-    const auto name = [this](QCPGraph* line) {
-        legend_->addItem(new QCPPlottableLegendItem(legend_, line));
-    };
-    name(panels_.front().ideal);
-    for (std::size_t i = 0; i < panels_.front().lines.size(); ++i)
-        if (names_.size() <= kMostNamed || i == chosen_) name(panels_.front().lines[i]);
-    const int line = std::max(legend_->iconSize().height(), QFontMetrics(legend_->font()).height());
-    const QMargins around = legend_->margins();
-    legend_box_->setMinimumSize(
-        0, legend_->itemCount() * (line + legend_->rowSpacing()) + around.top() + around.bottom());
 }
 
 void StudyCalibration::colour_lines() {
@@ -158,17 +152,14 @@ void StudyCalibration::style(const Colours& colours) {
     setBackground(colours.card);
     for (const Panel& panel : panels_)
         style_plot(*panel.rect, *title_of(*this, panel.row, panel.column), colours, small);
-    if (legend_ != nullptr) {
-        legend_->setFont(small);
-        legend_->setTextColor(colours.text);
-    }
+    if (legend_ != nullptr) legend_->style(small, colours.text);
     colour_lines();
 }
 
 void StudyCalibration::choose(std::optional<std::size_t> cell) {
     chosen_ = cell;
+    if (legend_ != nullptr) legend_->choose(cell);
     colour_lines();
-    name_lines();
     replot(QCustomPlot::rpQueuedReplot);
 }
 

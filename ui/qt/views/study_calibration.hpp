@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "fitting_legend.hpp"
 #include "hitos/services/study/calibration_figures.hpp"
 #include "look/theme.hpp"
 
@@ -44,13 +45,12 @@ class StudyCalibration final : public QCustomPlot {
     void lay_out(const std::vector<StudyCell>& cells);
     void add_panel(const CalibrationKind& kind);
     void draw_panel(Panel& panel, const std::vector<StudyCell>& cells);
-    void name_lines();
+    QSize room_of_legend(bool below);
     void colour_lines();
 
     std::vector<Panel> panels_;
-    QCPLayoutInset* legend_box_ = nullptr;  // of the plot's layout
-    QCPLegend* legend_ = nullptr;
-    QStringList names_;  // of the cells
+    FittingLegend* legend_ = nullptr;  // of the plot's layout
+    QStringList names_;                // of the cells
     std::optional<std::size_t> chosen_;
     Colours look_;
 };
