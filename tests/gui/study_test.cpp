@@ -197,7 +197,30 @@ void StudyTest::expected_and_seen_shares_are_a_plot() {
     QVERIFY(shown().axisRects().size() == 2 && plots.quality_title().startsWith("Map error"));
     plots.show_calibration();
     QCOMPARE(shown().axisRects().size(), 3);
-    QVERIFY(!plots.exportable().offers.empty());
+    // What is chosen is for the screen alone: in a figure all lines are what they are.
+    const auto points_of = [](const QImage& image, const QColor& colour) {
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x) count += image.pixelColor(x, y) == colour;
+        return count;
+    };
+    FigureWish wish;
+    wish.width_mm = 170.0;
+    const QColor faint = shown().axisRects()[0]->graphs()[1]->pen().color();
+    QVERIFY(faint.alpha() < 255);
+    const Picture picture = plots.exportable().offers.front().picture(wish);
+    QImage figure(picture.size.toSize(), QImage::Format_RGB32);
+    picture.paint(figure, 1.0);
+    QVERIFY(points_of(figure, QColor(faint.rgb())) > 50);
+    QVERIFY(shown().axisRects()[0]->graphs()[1]->pen().color().alpha() < 255);
+    // Arrow keys go by the values of the study that is shown.
+    f.study.form().set_assignments({"p=5,10,20,30,50"});
+    f.set("folder", f.path("more"));
+    f.run_study();
+    plots.show_calibration();
+    plots.choose(3);
+    QTest::keyClick(&plots, Qt::Key_Right);
+    QCOMPARE(plots.chosen(), std::optional<std::size_t>(4));
     f.study.form().set_assignments({"filter.algorithm=graph-slam"});
     f.set("folder", f.path("graph"));
     f.run_study();

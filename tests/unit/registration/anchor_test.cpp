@@ -380,6 +380,14 @@ TEST(SeenWall, IsTheOneInThatDirection) {
     }
 }
 
+TEST(SeenWall, EndsWhereItStepsBackByTheDepthOfADoor) {
+    const Walls walls{{{3, -2}, {3, 0}}, {{3.15, 0}, {3.15, 2}}};
+    const auto wall = seen_wall(test::drawn_scan(walls, {}), 80.0, -0.3);
+    ASSERT_TRUE(wall);
+    EXPECT_NEAR(wall->left.y, 0.0, 0.2);
+    EXPECT_NEAR(wall->left.x, 3.0, 0.01);
+}
+
 TEST(SeenWall, AShortOneOrARoundThingIsNone) {
     Walls walls{{{3, -0.2}, {3, 0.2}}};
     for (int i = 0; i < 24; ++i) {

@@ -197,6 +197,22 @@ TEST_F(EditedRing, ALoopIsClosedByHand) {
     EXPECT_LT(error_of(std::move(closed)), 0.8 * open);
 }
 
+/// What a hand lays about right is laid as the scans have it, and measured there.
+TEST_F(EditedRing, ALoopLaidByEyeIsFitted) {
+    const test::Driven closed = driven("");
+    ASSERT_FALSE(closed.registration.loops().empty());
+    const LoopRecord known = closed.registration.loops().front();
+    Pose near = known.pose_earlier_scan;
+    near.x += 0.3;
+    near.theta += 0.05;
+    const LoopRecord fitted = closed.registration.fitted_loop(known.scan, known.earlier, near);
+    const Pose truth = between(truth_[known.earlier], truth_[known.scan]);
+    EXPECT_LT(distance_m(fitted.pose_earlier_scan, truth), 0.1);
+    EXPECT_GT(fitted.score, 0.5);
+    EXPECT_GT(fitted.overlap, 0.5);
+    EXPECT_LT(fitted.seen_through, 0.2);
+}
+
 TEST_F(EditedRing, TheGraphGoesWhereAHandPutsIt) {
     // Far beyond what the scans say: robust weights would cut it off.
     const std::size_t scan = truth_.size() - 20;

@@ -3669,6 +3669,10 @@
         <source>by the scans the odometry&apos;s heading drifts to the %2 by %1 degrees a metre (%3 % of their points fit so, %4 % as it is told), as of wheels that are not of one size: the path is bent</source>
         <translation>según los barridos el rumbo de la odometría deriva hacia la %2 %1 grados por metro (el %3 % de sus puntos encaja así, el %4 % tal como se dice), como de ruedas que no son de un mismo tamaño: el camino se dobla</translation>
     </message>
+    <message>
+        <source>is too short for copy %1, which leaves out the first %2 scans; ask for fewer copies</source>
+        <translation>es demasiado corto para la copia %1, que omite los %2 primeros barridos; pida menos copias</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -9908,12 +9912,12 @@
         <translation>Calibración: proporciones esperadas y observadas</translation>
     </message>
     <message>
-        <source>%1 in the region of 50, 68, 95, 99 %: %2; NEES %3 (%4 to %5 where it is as sure as it may be)</source>
-        <translation>%1 en la región del 50, 68, 95 y 99 %: %2; NEES %3 (de %4 a %5 si está tan seguro como puede estarlo)</translation>
-    </message>
-    <message>
         <source>and %1 more: choose a value to see its name</source>
         <translation>y %1 más: elija un valor para ver su nombre</translation>
+    </message>
+    <message>
+        <source>%1 in the region of %2 %: %3; NEES %4 (%5 to %6 where it is as sure as it may be)</source>
+        <translation>%1 en la región del %2 %: %3; NEES %4 (de %5 a %6 donde está tan seguro como puede estarlo)</translation>
     </message>
 </context>
 <context>

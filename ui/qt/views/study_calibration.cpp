@@ -127,7 +127,7 @@ void StudyCalibration::show_results(const StudyPlan& plan, const std::vector<Stu
     replot(QCustomPlot::rpQueuedReplot);
 }
 
-void StudyCalibration::colour_lines() {
+void StudyCalibration::colour_lines(const std::optional<std::size_t>& chosen_line) {
     constexpr double kLine = 1.6;
     constexpr double kDot = 6.0;
     constexpr int kFaint = 60;
@@ -135,9 +135,9 @@ void StudyCalibration::colour_lines() {
     for (const Panel& panel : panels_) {
         panel.ideal->setPen(QPen(look_.muted, kLine, Qt::DashLine));
         for (std::size_t i = 0; i < panel.lines.size(); ++i) {
-            const bool chosen = chosen_ == i;
+            const bool chosen = chosen_line == i;
             QColor colour = line_colour(i);
-            if (chosen_ && !chosen) colour.setAlpha(kFaint);
+            if (chosen_line && !chosen) colour.setAlpha(kFaint);
             QCPGraph* line = panel.lines[i];
             const Qt::PenStyle style = kStyles.at(i / kLineColours % kStyles.size());
             line->setPen(QPen(colour, chosen ? 1.5 * kLine : kLine, style));
@@ -146,20 +146,24 @@ void StudyCalibration::colour_lines() {
     }
 }
 
-void StudyCalibration::style(const Colours& colours) {
+void StudyCalibration::style(const Colours& colours, bool screen) {
+    const std::optional<std::size_t> chosen = screen ? chosen_ : std::nullopt;
     look_ = colours;
     const QFont small = plot_font(font());
     setBackground(colours.card);
     for (const Panel& panel : panels_)
         style_plot(*panel.rect, *title_of(*this, panel.row, panel.column), colours, small);
-    if (legend_ != nullptr) legend_->style(small, colours.text);
-    colour_lines();
+    if (legend_ != nullptr) {
+        legend_->style(small, colours.text);
+        legend_->choose(chosen);
+    }
+    colour_lines(chosen);
 }
 
 void StudyCalibration::choose(std::optional<std::size_t> cell) {
     chosen_ = cell;
     if (legend_ != nullptr) legend_->choose(cell);
-    colour_lines();
+    colour_lines(chosen_);
     replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -191,16 +195,20 @@ QPoint StudyCalibration::middle_of(std::size_t cell) const {
 QStringList StudyCalibration::words_of(const StudyCell& cell) {
     QStringList lines;
     for (const CalibrationKind& kind : kCalibrationKinds) {
+        const auto shares = shares_in_regions(cell.figures, kind);
+        QStringList regions;
         QStringList told;
-        for (const std::optional<double>& share : shares_in_regions(cell.figures, kind))
-            if (share) told << QString::number(*share, 'f', 2);
+        for (std::size_t i = 0; i < kRegions.size(); ++i) {
+            const auto& share = shares.at(i);
+            regions << QString::number(100.0 * kRegions.at(i));
+            told << (share ? QString::number(*share, 'f', 2) : QString("–"));
+        }
         const std::optional<NeesFigure> nees = nees_figure(cell.figures, kind);
-        if (told.isEmpty() || !nees) continue;
+        if (!has_shares(cell.figures, kind) || !nees) continue;
         lines << StudyPlots::tr(
-                     "%1 in the region of 50, 68, 95, 99 %: %2; NEES %3 (%4 to %5 where it is as "
-                     "sure "
-                     "as it may be)")
-                     .arg(name_words(kind), told.join(", "))
+                     "%1 in the region of %2 %: %3; NEES %4 (%5 to %6 where it is as sure as it "
+                     "may be)")
+                     .arg(name_words(kind), regions.join(", "), told.join(", "))
                      .arg(nees->mean, 0, 'f', 2)
                      .arg(nees->interval.low, 0, 'f', 2)
                      .arg(nees->interval.high, 0, 'f', 2);

@@ -23,7 +23,8 @@ class StudyCalibration final : public QCustomPlot {
     /// Whether any cell has such shares.
     static bool has(const std::vector<StudyCell>& cells);
     void show_results(const StudyPlan& plan, const std::vector<StudyCell>& cells);
-    void style(const Colours& colours);
+    /// `screen`: what is chosen, which is for the screen alone, stands out.
+    void style(const Colours& colours, bool screen = true);
     /// The others fade.
     void choose(std::optional<std::size_t> cell);
     std::optional<std::size_t> cell_at(const QPoint& place) const;
@@ -46,7 +47,7 @@ class StudyCalibration final : public QCustomPlot {
     void add_panel(const CalibrationKind& kind);
     void draw_panel(Panel& panel, const std::vector<StudyCell>& cells);
     QSize room_of_legend(bool below);
-    void colour_lines();
+    void colour_lines(const std::optional<std::size_t>& chosen);
 
     std::vector<Panel> panels_;
     FittingLegend* legend_ = nullptr;  // of the plot's layout

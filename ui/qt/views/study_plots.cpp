@@ -333,10 +333,10 @@ void StudyPlots::show_figures() {
     heat_->setHidden(!two || shares);
     calibration_->setHidden(!shares);
     offer_qualities();
+    if (!two) lay_out_axis(plan_.axes.front());  // arrow keys go by it
     if (shares) return calibration_->show_results(plan_, cells_);
     if (two) return heat_->show_results(plan_, cells_, *quality_.measure);
     show_titles(plan_);
-    lay_out_axis(plan_.axes.front());
     for (const Panel* panel : {&quality_, &landmarks_}) {
         panel->runs->data()->clear();
         for (std::size_t run = 0; run < records_.size(); ++run) {
@@ -475,7 +475,7 @@ void StudyPlots::paintEvent(QPaintEvent* event) {
 Exportable StudyPlots::exportable() {
     return {tr("Study"), "study", plot_font(font()), {figure_of(*shown(), [this](const Colours& c) {
                 if (shown() == heat_) return heat_->style(c);
-                if (shown() == calibration_) return calibration_->style(c);
+                if (shown() == calibration_) return calibration_->style(c, &c == &colours());
                 style(c);
             })}};
 }
