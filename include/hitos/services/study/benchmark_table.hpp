@@ -64,12 +64,12 @@ BenchmarkTable read_benchmark(const std::filesystem::path& out);
 /// How a figure of a row has changed.
 struct BenchmarkChange {
     enum class Verdict {
-        same,     ///< the whole row, bit for bit
-        within,   ///< no more than chance lets differ
-        better,   ///< beyond that
-        worse,    ///< beyond that
-        unknown,  ///< of a single run nobody can tell
-        gone,     ///< the row, or its figure, is not there any more
+        same,      ///< the whole row, bit for bit
+        within,    ///< no more than chance lets differ
+        better,    ///< beyond that
+        worse,     ///< beyond that
+        unknown,   ///< of a single run nobody can tell
+        gone,      ///< the row, or its figure, is not there any more
         appeared,  ///< it was not there before
         other      ///< another setting: another experiment
     };
