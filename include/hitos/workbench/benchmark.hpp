@@ -14,8 +14,8 @@
 
 namespace hitos {
 
-/// By what a plan knows a tour: Digest::text() of its file, or of the names and contents of all that
-/// it is read from, as of a recording in a folder. Throws FileError where one cannot be read.
+/// By what a plan knows a tour: Digest::text() of its file, or of the names and contents of all
+/// that it is read from, as of a recording in a folder. Throws FileError where one cannot be read.
 std::string digest_of_tour(const std::filesystem::path& path);
 
 /// A log or world to be mapped, and what its maps are measured against.

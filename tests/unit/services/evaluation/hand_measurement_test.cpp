@@ -92,6 +92,16 @@ TEST(HandMeasurement, AnglesAreOfTwoWallsOrThreePoints) {
     EXPECT_NEAR(value(map, picked(Quantity::angle, {up, south})), 100.0 * kHandDegree, 1e-9);
     EXPECT_NEAR(value(map, picked(Quantity::angle, {up, place_on(kSouth, {-3.0, 0.0})})),
                 80.0 * kHandDegree, 1e-9);
+    // They meet where both are: x = 2, and 3 m from the origin at 60 degrees.
+    const ICaracteristica right{Recta{2.0, 0.0}};
+    const ICaracteristica leaning{Recta{3.0, 60.0 * kHandDegree}};
+    const LandmarkMap pair{right, leaning};
+    const MeasuredValue met = measure(
+        pair, picked(Quantity::angle, {place_on(right, {2.0, 0.0}), place_on(leaning, {6.0, 0.0})})
+                  .value());
+    ASSERT_EQ(met.line.size(), 3U);
+    EXPECT_NEAR(met.line[1].x, 2.0, 1e-12);
+    EXPECT_NEAR(met.line[1].y, 4.0 / std::sqrt(3.0), 1e-12);
     // Parallel ones meet nowhere.
     EXPECT_NEAR(value(kRoom, picked(Quantity::angle, {west, place_on(kEast, {4.0, 2.0})})), 0.0,
                 1e-12);
