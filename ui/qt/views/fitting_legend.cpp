@@ -95,7 +95,7 @@ void FittingLegend::fit() {
         say();
     }
     for (int i = 0; i < named; ++i) {
-        std::size_t line = static_cast<std::size_t>(i);
+        auto line = static_cast<std::size_t>(i);
         if (i + 1 == named && chosen_ && *chosen_ + 1 > line) line = *chosen_ + 1;
         legend_->addElement(i % rows, i / rows,
                             new QCPPlottableLegendItem(legend_, lines_.at(line)));
