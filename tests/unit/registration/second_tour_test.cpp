@@ -159,6 +159,17 @@ TEST(SecondTour, IsFoundBehindABreakWhereItBeginsElsewhere) {
     }
 }
 
+/// Where the last metres fit, all that was seen since the tour began has to.
+TEST(SecondTour, IsNotFoundWhereItsBeginningLooksThroughWallsOfTheMap) {
+    Walls wide = ring_walls();  // with a hall in the place of the first corridor
+    std::erase_if(wide,
+                  [](const auto& wall) { return std::max(wall.first.y, wall.second.y) <= 1.0; });
+    const Walls hall = test::closed({{-1, -1}, {-1, -9}, {15, -9}, {15, -1}});
+    wide.insert(wide.end(), hall.begin(), hall.end() - 1);
+    EXPECT_TRUE(second_of(two_tours(ring_walls(), ring_walls(), 0, {})).found);
+    EXPECT_FALSE(second_of(two_tours(ring_walls(), wide, 0, {})).found);
+}
+
 TEST(SecondTour, TellsWhatIsGoneAndWhatIsNew) {
     Walls later = ring_walls();
     const Walls box = test::closed({{8.0, -1.0}, {8.0, -0.5}, {9.5, -0.5}, {9.5, -1.0}});
