@@ -172,6 +172,10 @@ TEST(Calibration, ALineIsMixedHoweverItIsWritten) {
     const LandmarkMap mixed = mixed_map(filter);
     EXPECT_NEAR(std::get<Recta>(mixed.at(0).value).rho, 0.0, 1e-12);
     EXPECT_NEAR(mixed[0].covariance(0, 0), 0.01 + 0.0004, 1e-12);
+    const ToldMaps turned({{line(1.0, 0.1, 0.1)}, {line(1.0, 0.3, 0.1)}});
+    const LandmarkMap both = mixed_map(turned);
+    EXPECT_NEAR(std::get<Recta>(both.at(0).value).theta, 0.2, 1e-12);
+    EXPECT_NEAR(both[0].covariance(1, 1), 0.01 + 0.01, 1e-12);
 }
 
 /// Two walls 3 m apart whose normals point along x, seen at y = 4, and one across them.
