@@ -260,6 +260,24 @@ TEST(Relations, TakeTheNearestPoseWithinTheTolerance) {
     EXPECT_EQ(at(0.0, 0.0, 0.0).translation_m(), 0.0) << "one pose may be both";
 }
 
+TEST(Relations, CountsWhoseEndsAPathDoesNotHave) {
+    const Trajectory path = along_x({0.0, 1.0, 2.0});
+    const double before = kToday - 10.0;
+    const double behind = kToday + 10.0;
+    const std::vector<PoseRelation> relations{{kToday, kToday + 0.1, {1.0, 0.0, 0.0}},
+                                              {before, kToday, {}},
+                                              {before, kToday + 0.1, {}},
+                                              {kToday, behind, {}},
+                                              {kToday + 0.1, behind, {}},
+                                              {kToday + 0.2, behind, {}},
+                                              {before, behind, {}}};
+    const RelationErrors errors = relation_errors(measure_relations(path, relations, 0.01));
+    EXPECT_EQ(errors.used, 1);
+    EXPECT_EQ(errors.without_from, 2);
+    EXPECT_EQ(errors.without_to, 3);
+    EXPECT_EQ(errors.without_both, 1);
+}
+
 TEST(Relations, BadFilesSayWhereAndWhat) {
     const auto parse = [](const char* text) {
         return message_of<FormatError>([&] { parse_relations(text, "r.relations"); });
