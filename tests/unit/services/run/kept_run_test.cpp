@@ -4,7 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
@@ -23,6 +26,7 @@ using test::small_tour;
 using test::TempFolder;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
+using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -145,12 +149,31 @@ TEST_F(KeptRunTest, AFolderIsCheckedFileByFile) {
     fs::remove(out_.path() / "map.dxf");
     write_file(out_.path() / "odometry.tum", "0 0 0 0 0 0 0 1\n");
     write_file(out_.path() / "config.cfg", "[run]\nseed = ");
-    write_file(out_.path() / "grid_particle_7.jpg", "of another run");
+    std::vector<std::string> others;
+    for (const char digit : {'7', '2', '9', '1', '8', '3'}) {
+        others.push_back(std::string("grid_particle_") + digit + ".jpg");
+        write_file(out_.path() / others.back(), "of another run");
+    }
+    std::ranges::sort(others);
     write_file(out_.path() / "notes.txt", "mine");
     const ResultsCheck check = check_results(out_.path());
     EXPECT_THAT(check.missing, ElementsAre("map.dxf"));
     EXPECT_THAT(check.changed, testing::UnorderedElementsAre("odometry.tum", "config.cfg"));
-    EXPECT_THAT(check.left_over, ElementsAre("grid_particle_7.jpg"));
+    EXPECT_THAT(check.left_over, ElementsAreArray(others));
+}
+
+TEST_F(KeptRunTest, ALogIsTheSameByWhateverNameItsFileHas) {
+    write_file(out_.path() / "a.log", "a");
+    fs::create_hard_link(out_.path() / "a.log", out_.path() / "b.log");
+    write_file(out_.path() / "c.log", "a");
+    const auto of = [&](const char* name) {
+        Configuracion configuration;
+        configuration.source.file = (out_.path() / name).string();
+        return configuration;
+    };
+    EXPECT_TRUE(same_log(of("a.log"), of("b.log")));
+    EXPECT_TRUE(same_log(of("a.log"), of("./a.log")));
+    EXPECT_FALSE(same_log(of("a.log"), of("c.log")));
 }
 
 TEST_F(KeptRunTest, AChangedSummaryIsNone) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -113,6 +114,8 @@ TEST_F(OptionalOutputsTest, GraphsOfEveryAlgorithmJoinEveryLandmark) {
         const PlanarGraph graph = graph_of(run);
         ASSERT_EQ(graph.count(PlanarVertex::Kind::pose), 200U) << algorithm;
         ASSERT_GT(graph.vertices.size(), 200U) << algorithm;
+        EXPECT_EQ(std::ranges::count(graph.vertices, true, &PlanarVertex::fixed), 1) << algorithm;
+        EXPECT_TRUE(graph.vertices.front().fixed) << algorithm;
         std::set<std::size_t> seen;
         for (const PlanarEdge& edge : graph.edges) {
             if (edge.kind != PlanarEdge::Kind::step) seen.insert(edge.to);
