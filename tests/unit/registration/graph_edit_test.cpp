@@ -207,7 +207,8 @@ TEST_F(EditedRing, ALoopLaidByEyeIsFitted) {
     near.theta += 0.05;
     const LoopRecord fitted = closed.registration.fitted_loop(known.scan, known.earlier, near);
     const Pose truth = between(truth_[known.earlier], truth_[known.scan]);
-    EXPECT_LT(distance_m(fitted.pose_earlier_scan, truth), 0.1);
+    const Pose off = between(truth, fitted.pose_earlier_scan);
+    EXPECT_LT(std::hypot(off.x, off.y), 0.1);
     EXPECT_GT(fitted.score, 0.5);
     EXPECT_GT(fitted.overlap, 0.5);
     EXPECT_LT(fitted.seen_through, 0.2);
