@@ -15,6 +15,8 @@ namespace {
 using Bytes = std::uint8_t __attribute__((vector_size(SquareLattice::kAcross)));
 using Words = std::uint16_t __attribute__((vector_size(2 * SquareLattice::kAcross)));
 
+constexpr int kBefore = SquareLattice::kAcross + 1;  // squares to the left of the picture
+
 }  // namespace
 
 SquareLattice::SquareLattice(const CorrelationMap& map)
@@ -25,41 +27,36 @@ SquareLattice::SquareLattice(const CorrelationMap& map)
       length_(static_cast<std::size_t>(squares_) + 2 * kAcross) {
     assert(shift_ >= 0);
     static_assert(kStep == 1 << 2);
-    const int steps = 1 << shift_;
-    sorted_.resize(static_cast<std::size_t>(rows_ * steps) * length_);
+    sorted_.resize(static_cast<std::size_t>(rows_ << shift_) * length_);
     const std::span<const std::uint8_t> picture = map.coarsest();
     // A square that begins before the picture may reach into it.
     for (int row = 1 - side_; row < map.rows(); ++row) {
         const std::size_t from =
             static_cast<std::size_t>(std::max(0, row)) * static_cast<std::size_t>(map.columns());
-        const int line = (row + side_) / kStep * steps;
         for (int column = 1 - side_; column < map.columns(); ++column) {
-            const int place = (column + side_) / kStep;
-            std::uint8_t& most = sorted_[static_cast<std::size_t>(line + place % steps) * length_ +
-                                         kAcross + static_cast<std::size_t>(place >> shift_)];
+            std::uint8_t& most = sorted_[place_of(row + side_, column + kBefore * side_)];
             most = std::max(most, picture[from + static_cast<std::size_t>(std::max(0, column))]);
         }
     }
 }
 
+std::size_t SquareLattice::place_of(int row, int column) const {
+    const int place = column / kStep;
+    const int line = (row / kStep << shift_) + (place & ((1 << shift_) - 1));
+    return static_cast<std::size_t>(line) * length_ + static_cast<std::size_t>(place >> shift_);
+}
+
 SquareLattice::Sums SquareLattice::bounds(const CorrelationMap::Pattern& pattern, int x,
                                           int y) const {
     assert(pattern.cells.size() <= kMostCells);
-    const int steps = 1 << shift_;
     std::array<const std::uint8_t*, kMostCells> rows;  // what each cell meets
     std::size_t count = 0;
     for (const CorrelationMap::Cell& cell : pattern.cells) {
-        // From where the lattice begins, beyond its left end too.
         const int row = cell.row + y + side_;
-        const int column = cell.column + x + side_ * (1 + static_cast<int>(kAcross));
-        if (row < 0 || row / kStep >= rows_ || column < 0) continue;
-        const int place = column / kStep;
-        const int square = place >> shift_;
-        if (square >= squares_ + static_cast<int>(kAcross)) continue;
-        rows[count++] =
-            sorted_.data() +
-            static_cast<std::size_t>(row / kStep * steps + (place & (steps - 1))) * length_ +
-            static_cast<std::size_t>(square);
+        const int column = cell.column + x + kBefore * side_;
+        if (row < 0 || row / kStep >= rows_) continue;
+        if (column < 0 || column >= (squares_ + kBefore - 1) * side_) continue;
+        rows[count++] = sorted_.data() + place_of(row, column);
     }
     Sums sums{};
     vectorised([&]() HITOS_INLINED {

@@ -31,6 +31,10 @@ class SquareLattice {
   private:
     static constexpr int kStep = 4;  // cells of the picture that are one here, each way
 
+    /// In sorted_, of a cell of the picture, counted from a square's side before it; to the left
+    /// kAcross squares more.
+    std::size_t place_of(int row, int column) const;
+
     int side_;            // of a square, in cells of the picture
     int shift_;           // 2^shift_ are so many here
     int rows_;            // here; the first ones begin a square's side before the picture

@@ -61,6 +61,8 @@ class PerturbedReader final : public DerivedTour {
         return std::make_unique<PerturbedReader>(tour().reopen(), copy_);
     }
 
+    std::optional<Truth> truth() const override { return std::nullopt; }
+
   private:
     struct Place {
         std::uint64_t scans = 0;

@@ -4,13 +4,16 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <memory>
 
 #include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/odometry_track.hpp"
 #include "hitos/capture/procesador.hpp"
 #include "hitos/capture/recorded_tour.hpp"
+#include "hitos/simulation/drive/simulated_tour_reader.hpp"
 #include "unit/capture/test_files.hpp"
+#include "worlds.hpp"
 
 namespace hitos {
 namespace {
@@ -70,6 +73,12 @@ TEST(PerturbedReader, ATourThatIsTooShortForACopyIsToldSo) {
         EXPECT_THAT(error.what(), ::testing::HasSubstr("too short for copy"));
     }
     EXPECT_TRUE(copy((scans - 1) / 3)->next_scan());
+}
+
+TEST(PerturbedReader, DoesNotKnowATruthOfAFrameThatIsLeftOut) {
+    const auto tour = std::make_shared<const SimulatedTour>(test::small_world());
+    ASSERT_TRUE(SimulatedTourReader(tour).truth());
+    EXPECT_FALSE(make_perturbed_reader(std::make_unique<SimulatedTourReader>(tour), 1)->truth());
 }
 
 TEST(PerturbedReader, AddsTenMillimetresToRangesAsTheLaserSeesThem) {
