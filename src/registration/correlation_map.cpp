@@ -40,7 +40,8 @@ void CorrelationMap::blur(const PointMap& map, double half_m) {
         return std::abs(static_cast<double>(p.x)) <= half_m &&
                std::abs(static_cast<double>(p.y)) <= half_m;
     };
-    for (const MapPoint& p : map.points()) {
+    for (std::size_t i = 0; i < map.size(); ++i) {
+        const MapPoint& p = map.point(i);
         if (inside(p)) bounds.hold({static_cast<double>(p.x), static_cast<double>(p.y)});
     }
     // Cells count from the centre, whatever the bounds.
@@ -51,7 +52,8 @@ void CorrelationMap::blur(const PointMap& map, double half_m) {
     x0_ = map.centre().x + first_column * kCell;
     y0_ = map.centre().y + first_row * kCell;
     Picture finest(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
-    for (const MapPoint& p : map.points()) {
+    for (std::size_t i = 0; i < map.size(); ++i) {
+        const MapPoint& p = map.point(i);
         if (!inside(p)) continue;
         const auto a =
             static_cast<int>(std::floor(static_cast<double>(p.x) / kCell) - first_column);

@@ -205,8 +205,8 @@ double LoopCloser::seen_through(const KeyGraph& graph, std::size_t newest, const
                            compose(move, graph.poses[newest - n].pose));
     }
     points.clear();
-    for (std::size_t i = 0; i < map.points().size(); i += kEveryPoint) {
-        const MapPoint& p = map.points()[i];
+    for (std::size_t i = 0; i < map.size(); i += kEveryPoint) {
+        const MapPoint& p = map.point(i);
         points.push_back(
             {map.centre().x + static_cast<double>(p.x), map.centre().y + static_cast<double>(p.y)});
     }

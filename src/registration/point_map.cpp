@@ -6,11 +6,20 @@
 #endif
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace hitos {
 namespace {
+
+// Places and normals two by two, as the processor has them: the same operations in the same order
+// as one by one.
+using TwoFloats = float __attribute__((vector_size(8)));
+using FourFloats = float __attribute__((vector_size(16)));
+using TwoInts = int __attribute__((vector_size(8)));
+using Two = double __attribute__((vector_size(16)));
 
 constexpr double kBucket = 0.3;  // [m]
 constexpr double kPerM = 1.0 / kBucket;
@@ -24,58 +33,67 @@ int bucket(double offset, int count) {
 }  // namespace
 
 void PointMap::begin(const Point2& centre, double half_m) {
+    constexpr float kFar = std::numeric_limits<float>::infinity();
     centre_ = centre;
     half_m_ = half_m;
     added_.clear();
-    bounds_ = {};
+    low_ = {kFar, kFar};
+    high_ = {-kFar, -kFar};
 }
 
 void PointMap::add(std::span<const SurfacePoint> points, const Pose& pose, std::uint32_t source) {
     const double c = std::cos(pose.theta);
     const double s = std::sin(pose.theta);
-    const double x0 = pose.x - centre_.x;
-    const double y0 = pose.y - centre_.y;
+    const Two from_x{c, s};  // of what lies along x, and along y
+    const Two from_y{-s, c};
+    const Two at{pose.x - centre_.x, pose.y - centre_.y};
+    // Every point is put behind the ones that are in, and stays there where it is in too.
+    std::size_t end = added_.size();
+    added_.resize(end + points.size());
+    FourFloats low{low_.x, low_.y};
+    FourFloats high{high_.x, high_.y};
     for (const SurfacePoint& p : points) {
-        const auto x = static_cast<double>(p.x);
-        const auto y = static_cast<double>(p.y);
-        const double placed_x = x0 + c * x - s * y;
-        const double placed_y = y0 + s * x + c * y;
-        if (!(std::abs(placed_x) <= half_m_ && std::abs(placed_y) <= half_m_)) continue;
-        const auto nx = static_cast<double>(p.nx);
-        const auto ny = static_cast<double>(p.ny);
-        MapPoint placed;
-        placed.x = static_cast<float>(placed_x);
-        placed.y = static_cast<float>(placed_y);
-        placed.nx = static_cast<float>(c * nx - s * ny);
-        placed.ny = static_cast<float>(s * nx + c * ny);
-        placed.source = source;
-        added_.push_back(placed);
-        bounds_.hold({static_cast<double>(placed.x), static_cast<double>(placed.y)});
+        const Two placed = at + from_x * double{p.x} + from_y * double{p.y};
+        const Two normal = from_x * double{p.nx} + from_y * double{p.ny};
+        const TwoFloats place = __builtin_convertvector(placed, TwoFloats);
+        const TwoFloats facing = __builtin_convertvector(normal, TwoFloats);
+        const FourFloats all{place[0], place[1], facing[0], facing[1]};
+        static_cast<SurfacePoint&>(added_[end]) = std::bit_cast<SurfacePoint>(all);
+        added_[end].source = source;
+        if (!(std::abs(placed[0]) <= half_m_ && std::abs(placed[1]) <= half_m_)) continue;
+        ++end;
+        low = all < low ? all : low;
+        high = all > high ? all : high;
     }
+    added_.resize(end);
+    low_ = {low[0], low[1]};
+    high_ = {high[0], high[1]};
 }
 
 void PointMap::build() {
-    x0_ = bounds_.low.x;
-    y0_ = bounds_.low.y;
-    columns_ = static_cast<int>((bounds_.high.x - bounds_.low.x) * kPerM) + 1;
-    rows_ = static_cast<int>((bounds_.high.y - bounds_.low.y) * kPerM) + 1;
+    if (added_.empty()) low_ = high_ = {0.0F, 0.0F};
+    x0_ = static_cast<double>(low_.x);
+    y0_ = static_cast<double>(low_.y);
+    columns_ = static_cast<int>((static_cast<double>(high_.x) - x0_) * kPerM) + 1;
+    rows_ = static_cast<int>((static_cast<double>(high_.y) - y0_) * kPerM) + 1;
     const auto buckets = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-    starts_.assign(buckets + 2, 0);
+    starts_.assign(buckets + 1, 0);
     places_.resize(added_.size());
+    const Two corner{x0_, y0_};
     for (std::size_t i = 0; i < added_.size(); ++i) {
-        const auto column = static_cast<int>((static_cast<double>(added_[i].x) - x0_) * kPerM);
-        const auto row = static_cast<int>((static_cast<double>(added_[i].y) - y0_) * kPerM);
-        places_[i] = static_cast<std::uint32_t>(row * columns_ + column);
-        ++starts_[places_[i] + 2];
+        const Two from_corner =
+            Two{static_cast<double>(added_[i].x), static_cast<double>(added_[i].y)} - corner;
+        const TwoInts at = __builtin_convertvector(from_corner * kPerM, TwoInts);
+        const auto bucket = static_cast<std::uint32_t>(at[1] * columns_ + at[0]);
+        places_[i] = {bucket, starts_[bucket]++};
     }
-    // One place further than needed: filling moves each start on to where it belongs.
-    for (std::size_t b = 2; b < starts_.size(); ++b) starts_[b] += starts_[b - 1];
-    points_.resize(added_.size());
+    std::exclusive_scan(starts_.begin(), starts_.end(), starts_.begin(), std::uint32_t{0});
+    order_.resize(added_.size());
     xs_.resize(added_.size());
     ys_.resize(added_.size());
     for (std::size_t i = 0; i < added_.size(); ++i) {
-        const std::uint32_t at = starts_[places_[i] + 1]++;
-        points_[at] = added_[i];
+        const std::uint32_t at = starts_[places_[i].bucket] + places_[i].in_bucket;
+        order_[at] = static_cast<std::uint32_t>(i);
         xs_[at] = added_[i].x;
         ys_[at] = added_[i].y;
     }
@@ -117,7 +135,7 @@ void PointMap::search_row(int row, int first_column, int last_column, float x, f
     while (i + 4 <= end && _mm_movemask_ps(_mm_cmpeq_ps(four(i), sought)) == 0) i += 4;
 #endif
     while (distance2(i) != least) ++i;
-    best = {least, points_.data() + i};
+    best = {least, &point(i)};
 }
 
 const MapPoint* PointMap::nearest(double x, double y, double radius_m, double* distance2_m2) const {

@@ -2,6 +2,7 @@
 // Points of several scans in buckets, for the nearest one.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -34,10 +35,19 @@ class PointMap {
     /// none. `distance2_m2`, where given, takes its squared distance.
     const MapPoint* nearest(double x, double y, double radius_m,
                             double* distance2_m2 = nullptr) const;
-    /// All points, bucket by bucket.
-    std::span<const MapPoint> points() const { return points_; }
+    /// How many points it has, and each of them, bucket by bucket.
+    std::size_t size() const { return order_.size(); }
+    const MapPoint& point(std::size_t number) const { return added_[order_[number]]; }
 
   private:
+    struct Corner {
+        float x = 0.0F;
+        float y = 0.0F;
+    };
+    struct Place {
+        std::uint32_t bucket = 0;
+        std::uint32_t in_bucket = 0;
+    };
     struct Nearest {
         float d2;
         const MapPoint* point;
@@ -48,11 +58,11 @@ class PointMap {
     Point2 centre_;
     double half_m_ = 0.0;
     std::vector<MapPoint> added_;
-    Bounds bounds_;  // of these
-    std::vector<MapPoint> points_;
-    std::vector<float> xs_, ys_;         // theirs once more, to look through
-    std::vector<std::uint32_t> starts_;  // of each bucket in points_
-    std::vector<std::uint32_t> places_;  // scratch: the bucket of each point
+    Corner low_, high_;                  // of these
+    std::vector<std::uint32_t> order_;   // of these, bucket by bucket
+    std::vector<float> xs_, ys_;         // in that order once more, to look through
+    std::vector<std::uint32_t> starts_;  // of each bucket in order_
+    std::vector<Place> places_;          // scratch: of each point
     double x0_ = 0.0;                    // corner of the first bucket
     double y0_ = 0.0;
     int columns_ = 0;

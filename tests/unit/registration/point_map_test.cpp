@@ -18,7 +18,8 @@ TEST(PointMap, FindsWhatTryingAllPointsFinds) {
         for (int i = 0; i < 700; ++i) points.push_back({place(engine), place(engine)});
         map.add(points, {centre.x, centre.y, 0.0}, 7);
         map.build();
-        for (const MapPoint& p : map.points()) {
+        for (std::size_t n = 0; n < map.size(); ++n) {
+            const MapPoint& p = map.point(n);
             EXPECT_LE(std::max(std::abs(p.x), std::abs(p.y)), 5.0F);
             EXPECT_EQ(p.source, 7U);
         }
@@ -27,7 +28,8 @@ TEST(PointMap, FindsWhatTryingAllPointsFinds) {
             const auto y = static_cast<double>(place(engine)) * 1.3;
             for (const double radius : {0.2, 0.7, 3.0}) {
                 double best = radius * radius;
-                for (const MapPoint& p : map.points()) {
+                for (std::size_t n = 0; n < map.size(); ++n) {
+                    const MapPoint& p = map.point(n);
                     best = std::min(best, std::pow(static_cast<double>(p.x) - x, 2.0) +
                                               std::pow(static_cast<double>(p.y) - y, 2.0));
                 }
