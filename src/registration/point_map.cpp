@@ -53,8 +53,9 @@ void PointMap::add(std::span<const SurfacePoint> points, const Pose& pose, std::
     FourFloats low{low_.x, low_.y};
     FourFloats high{high_.x, high_.y};
     for (const SurfacePoint& p : points) {
-        const Two placed = at + from_x * double{p.x} + from_y * double{p.y};
-        const Two normal = from_x * double{p.nx} + from_y * double{p.ny};
+        const Two placed =
+            at + from_x * static_cast<double>(p.x) + from_y * static_cast<double>(p.y);
+        const Two normal = from_x * static_cast<double>(p.nx) + from_y * static_cast<double>(p.ny);
         const TwoFloats place = __builtin_convertvector(placed, TwoFloats);
         const TwoFloats facing = __builtin_convertvector(normal, TwoFloats);
         const FourFloats all{place[0], place[1], facing[0], facing[1]};
