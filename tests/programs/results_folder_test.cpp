@@ -108,6 +108,44 @@ TEST_F(ResultsFolder, OfAnotherRunIsKeptUnlessItIsToBeReplaced) {
     EXPECT_EQ(run(path("moved.log"), few + " --replace").status, 0);
 }
 
+TEST_F(ResultsFolder, FilesOfNoRunAreNotWrittenOver) {
+    const auto write = [&](const std::string& how) {
+        return shell(fmt::format("{} run {} --config {} --set filter.particles=5 {} --out {}", cli_,
+                                 log_, config_, how, path("out")));
+    };
+    std::filesystem::create_directories(path("out"));
+    for (const char* name : {"config.cfg", "map.txt", "map.svg", "notes.md"})
+        file(std::string("out/") + name, "mine\n");
+    const std::map<std::string, std::string> mine = files("out");
+    const Outcome refused = write("");
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_THAT(refused.output, HasSubstr(", which is of no run; choose another folder, or say "
+                                          "--replace to put this run in its place"));
+    EXPECT_EQ(files("out"), mine);
+    // What the run does not write stays, and is in nobody's way.
+    std::filesystem::remove(path("out/config.cfg"));
+    std::filesystem::remove(path("out/map.txt"));
+    ASSERT_EQ(write("").status, 0);
+    EXPECT_EQ(content(path("out/map.svg")), "mine\n");
+    const Outcome drawn = write("--write svg");
+    EXPECT_EQ(drawn.status, 1);
+    EXPECT_THAT(drawn.output, HasSubstr("holds map.svg, which is of no run"));
+    ASSERT_EQ(write("--write svg --replace").status, 0);
+    EXPECT_NE(content(path("out/map.svg")), "mine\n");
+    // Results whose summary is gone are nobody's that could be compared.
+    std::filesystem::remove(path("out/summary.json"));
+    EXPECT_EQ(write("").status, 1);
+    EXPECT_EQ(write("--replace").status, 0);
+    // The same of a study's tables.
+    std::filesystem::create_directories(path("study"));
+    file("study/summary.csv", "mine\n");
+    const Outcome study = shell(fmt::format(
+        "{} study corridor --vary filter.particles=2 --runs 1 --out {}", cli_, path("study")));
+    EXPECT_EQ(study.status, 1);
+    EXPECT_THAT(study.output, HasSubstr("holds summary.csv, which is of no study"));
+    EXPECT_EQ(content(path("study/summary.csv")), "mine\n");
+}
+
 TEST_F(ResultsFolder, IsOfOneRunAfterEveryKill) {
     ASSERT_EQ(shell(run(1)).status, 0);
     for (int kill = 0; kill < 12; ++kill) {

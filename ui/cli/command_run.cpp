@@ -244,7 +244,7 @@ void run(const RunOptions& options, std::optional<LiveRun>& live) {
     check_outputs(options, tour);
     if (live) live->open_poses();
     std::unique_ptr<StagedFolder> folder(new StagedFolder(results_folder(options.out)));
-    if (!options.replace) refuse_another_run(options.out, configuration);
+    if (!options.replace) refuse_another_run(options.out, configuration, also);
     check_file(options.figures);  // which may be in that folder
     check_file(options.hashes);
 

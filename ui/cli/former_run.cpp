@@ -18,6 +18,7 @@
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/results/kept_run.hpp"
+#include "hitos/services/results/results.hpp"
 
 namespace hitos::cli {
 namespace {
@@ -35,16 +36,20 @@ std::string written_at(const std::filesystem::path& file) {
     return fmt::format(", written {:%Y-%m-%d %H:%M}", local);
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& held) {
+[[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& held,
+                         const char* place = "their") {
     throw FileError(folder.string(),
-                    verbatim(fmt::format("holds the results of {}; choose another folder, or say "
-                                         "--replace to put this run in their place",
-                                         held)));
+                    verbatim(fmt::format("holds {}; choose another folder, or say --replace to put "
+                                         "this run in {} place",
+                                         held, place)));
 }
 
 }  // namespace
 
-void refuse_another_run(const std::filesystem::path& folder, const Configuracion& configuration) {
+void refuse_another_run(const std::filesystem::path& folder, const Configuracion& configuration,
+                        std::span<const std::string> also) {
+    if (const auto name = somebodys_file(folder, also))
+        refuse(folder, fmt::format("{}, which is of no run", *name), "its");
     const std::filesystem::path summary = folder / "summary.json";
     if (!is_there(summary)) return;  // one that cannot be looked at is there
     const std::string written = written_at(summary);
@@ -52,12 +57,13 @@ void refuse_another_run(const std::filesystem::path& folder, const Configuracion
     try {
         former = ArchivoConfiguracion::read(folder / "config.cfg");
     } catch (const Error& error) {
-        refuse(folder, fmt::format("a run{} that cannot be compared with this one: {}", written,
-                                   error.what()));
+        refuse(folder,
+               fmt::format("the results of a run{} that cannot be compared with this one: {}",
+                           written, error.what()));
     }
     if (!same_log(former, configuration)) {
-        refuse(folder, fmt::format("a run of another source, {}{}", on_one_line(former.source.file),
-                                   written));
+        refuse(folder, fmt::format("the results of a run of another source, {}{}",
+                                   on_one_line(former.source.file), written));
     }
     constexpr std::size_t kMostNamed = 3;
     std::vector<std::string> changes;
@@ -69,8 +75,8 @@ void refuse_another_run(const std::filesystem::path& folder, const Configuracion
         changes.push_back(fmt::format("{} {}", parameter->key, parameter->text(former)));
     }
     if (changes.empty()) return;
-    refuse(folder, fmt::format("another run of {}{}, with {}", on_one_line(former.source.file),
-                               written, fmt::join(changes, ", ")));
+    refuse(folder, fmt::format("the results of another run of {}{}, with {}",
+                               on_one_line(former.source.file), written, fmt::join(changes, ", ")));
 }
 
 }  // namespace hitos::cli

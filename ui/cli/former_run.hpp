@@ -3,13 +3,17 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string>
 
 #include "hitos/services/configuration/configuracion.hpp"
 
 namespace hitos::cli {
 
 /// Throws FileError where the folder holds the results of another run: of another source or with
-/// other parameters than the configuration's, threads aside, or of one that cannot be known.
-void refuse_another_run(const std::filesystem::path& folder, const Configuracion& configuration);
+/// other parameters than the configuration's, threads aside, or of one that cannot be known; or a
+/// file of nobody's run that this one, with the outputs `also`, would write over.
+void refuse_another_run(const std::filesystem::path& folder, const Configuracion& configuration,
+                        std::span<const std::string> also);
 
 }  // namespace hitos::cli

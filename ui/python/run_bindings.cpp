@@ -92,7 +92,7 @@ std::shared_ptr<Result> run_to_the_end(const py::object& tour, const py::object&
     const std::shared_ptr<Run> run =
         made_run(tour, configuration, reference, reference_trajectory, distances, uncertainty);
     // A long run is not to end with what could be known before it.
-    const std::unique_ptr<StagedFolder> folder = out ? run->folder_for(*out) : nullptr;
+    const std::unique_ptr<StagedFolder> folder = out ? run->folder_for(*out, words) : nullptr;
     run->advance(kToTheEnd, progress);
     std::shared_ptr<Result> result = run->result();
     if (folder) static_cast<void>(run->write(result->shown()->revision, *folder, words));

@@ -179,7 +179,8 @@ std::string Run::summary(std::uint64_t revision) {
                                  [] {});
 }
 
-std::unique_ptr<StagedFolder> Run::folder_for(const std::filesystem::path& path) const {
+std::unique_ptr<StagedFolder> Run::folder_for(const std::filesystem::path& path,
+                                              const std::vector<std::string>& also) const {
     std::error_code ignored;
     for (const std::filesystem::path& file : tour_files(configuration_.source)) {
         const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
@@ -189,6 +190,12 @@ std::unique_ptr<StagedFolder> Run::folder_for(const std::filesystem::path& path)
                                                     "of its results; choose another folder"));
         }
     }
+    if (const auto name = somebodys_file(path, also)) {
+        throw FileError(path.string(),
+                        verbatim(fmt::format("holds {}, which is of no run and would be written "
+                                             "over; choose another folder",
+                                             *name)));
+    }
     // It knows where it is, and so is made in its place.
     // NOLINTNEXTLINE(modernize-make-unique)
     return std::unique_ptr<StagedFolder>(new StagedFolder(results_folder(path)));
@@ -197,7 +204,7 @@ std::unique_ptr<StagedFolder> Run::folder_for(const std::filesystem::path& path)
 std::string Run::write(std::uint64_t revision, const std::filesystem::path& folder,
                        const std::vector<std::string>& also) {
     const Reading reading(*this);
-    const std::unique_ptr<StagedFolder> staged = folder_for(folder);
+    const std::unique_ptr<StagedFolder> staged = folder_for(folder, also);
     return write(revision, *staged, also);
 }
 

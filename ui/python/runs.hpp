@@ -49,7 +49,8 @@ class Run : public std::enable_shared_from_this<Run> {
     std::string write(std::uint64_t revision, const std::filesystem::path& folder,
                       const std::vector<std::string>& also);
     /// Kept for the results of this run, which may not take the place of what it reads.
-    std::unique_ptr<StagedFolder> folder_for(const std::filesystem::path& path) const;
+    std::unique_ptr<StagedFolder> folder_for(const std::filesystem::path& path,
+                                             const std::vector<std::string>& also) const;
 
   private:
     /// Refuses a second user while it lives.

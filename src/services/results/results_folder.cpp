@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which files of a folder are those of a run that another one may take the place of.
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/base/file_exchange.hpp"
+#include "hitos/base/folder_entries.hpp"
 #include "hitos/services/results/results.hpp"
 #include "results_summary.hpp"
 #include "run_outputs.hpp"
@@ -66,6 +70,22 @@ class FormerFiles {
 
 bool is_results_file(const std::string& name) {
     return name == kSummaryFile || is_run_output(name);
+}
+
+std::optional<std::string> somebodys_file(const std::filesystem::path& folder,
+                                          std::span<const std::string> also) {
+    if (!is_there(folder)) return std::nullopt;
+    FormerFiles former(folder);
+    for (const auto& entry : folder_entries(folder)) {
+        const std::string name = entry.path().filename().string();
+        const auto writes = [&](const RunOutput& output) {
+            const bool asked =
+                output.word.empty() || std::ranges::find(also, output.word) != also.end();
+            return asked && output.owns(name);
+        };
+        if (!former(name) && std::ranges::any_of(run_outputs(), writes)) return name;
+    }
+    return std::nullopt;
 }
 
 StagedFolder results_folder(const std::filesystem::path& folder) {

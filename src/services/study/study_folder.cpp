@@ -266,6 +266,21 @@ void check_others(const StudyLayout& target, const StudyPlan& plan, const Folder
             "log, values or seeds differ; wait for them or choose another folder"));
 }
 
+/// Tables without a plan are of no study: whatever their names, they are somebody's.
+void check_nobodys(const StudyLayout& target) {
+    for (const StudyLayout& layout : {target, next_study(target)})
+        if (is_there(plan_file(layout))) return;
+    for (const fs::directory_entry& entry : folder_entries(target.folder)) {
+        const std::string name = entry.path().filename().string();
+        if (!is_table(target, name)) continue;
+        throw FileError(target.folder.string(),
+                        HITOS_TEXT("Errors",
+                                   "holds %1, which is of no study and would be written over; move "
+                                   "it away or choose another folder"),
+                        name);
+    }
+}
+
 /// What stayed would be taken for a part of the study that comes there.
 void take_away(const fs::path& path) {
     remove_whole(path);
@@ -332,6 +347,7 @@ StudyFolder::StudyFolder(StudyLayout target, StudyPlan plan, Keep keep)
     : target_(std::move(target)), plan_(std::move(plan)), lock_(lock_of(target_, keep)) {
     check_others(target_, plan_, lock_.get());
     if (lock_ == nullptr || lock_->alone()) settle(target_);
+    check_nobodys(target_);
     work_ = lock_ == nullptr ? target_ : work_place(target_, plan_);
 }
 

@@ -271,7 +271,15 @@ void ResultActions::ask_for_results() {
          {},
          true});
     results_folder_ = folder;
-    if (!folder.isEmpty()) write_results_to(folder);
+    if (folder.isEmpty()) return;
+    if (const auto name = somebodys_file(folder.toStdString(), {})) {
+        tell_not_written(prompts_, window_,
+                         tr("%1 is in that folder and of no run: it would be written over. Choose "
+                            "another folder.")
+                             .arg(QString::fromStdString(*name)));
+        return ask_for_results();
+    }
+    write_results_to(folder);
 }
 
 /// Pictures of a great map take a second: they are written on the run's thread, and the window is

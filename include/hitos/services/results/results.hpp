@@ -106,6 +106,11 @@ void prepare_output_folder(const std::filesystem::path& folder);
 /// Whether a run may write a file of that name.
 bool is_results_file(const std::string& name);
 
+/// The name of a file in the folder that no run has left there, and that a run would write over
+/// with the outputs that need no asking and those asked for by the words `also`.
+std::optional<std::string> somebodys_file(const std::filesystem::path& folder,
+                                          std::span<const std::string> also);
+
 /// The folder of one run's results, kept for it: what is written there takes the place of an
 /// earlier run's all at once, and other people's files in it stay. Throws FileError, so that a long
 /// run does not end in vain.
