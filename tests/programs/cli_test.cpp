@@ -286,6 +286,18 @@ TEST_F(BadInput, DamagedLinesAreSkippedAndCounted) {
     EXPECT_EQ(summary["landmarks"]["lines"], 1);
 }
 
+TEST_F(BadInput, WhoAsksWhetherALogIsWholeIsToldOfDamage) {
+    const std::string whole =
+        test::shell("zcat " + kSource + "/data/logs/player-laser.log.gz").output;
+    const Outcome fine = cli("check " + folder_.put("whole.log", whole).string());
+    EXPECT_EQ(fine.status, 0) << fine.output;
+    EXPECT_NE(fine.output.find("\nnothing looks wrong in it\n"), std::string::npos) << fine.output;
+    const Outcome cut = cli("check " + folder_.put("cut.log", whole + "ODOM 9 abc 0\n").string());
+    EXPECT_EQ(cut.status, 1);
+    EXPECT_NE(cut.output.find("1 damaged line was skipped"), std::string::npos) << cut.output;
+    EXPECT_NE(cut.output.find("\nnothing else looks wrong in it\n"), std::string::npos);
+}
+
 TEST_F(BadInput, ConfigurationMistakes) {
     const std::string run = "run " + kLog + " --out " + out_ + " ";
     expect_error(cli(run + "--set filter.partycles=5"), {"filter.partycles", "filter.particles"});

@@ -163,7 +163,7 @@ void info(const InfoOptions& options) {
     report.end();
 }
 
-/// Leaves with 1 where there is something to doubt.
+/// Leaves with 1 where there is something to doubt, or damage.
 void check_source(const InfoOptions& options) {
     const std::string source = source_named(input_named(options.log, "log"));
     const SourceInspection found = inspected(options, source);
@@ -177,10 +177,12 @@ void check_source(const InfoOptions& options) {
                        {"scans", found.tour.report.scans},
                        {"log", parsed_object(to_json(found.tour.report))}};
     if (found.tour.report.scans == 0) report.warn("not one scan that can be read");
-    const bool doubtful = tell_findings(found.tour, report) > 0 || found.tour.report.scans == 0;
-    if (!doubtful) report.say("nothing looks wrong in it\n");
+    const ReadReport& read = found.tour.report;
+    const bool damaged = read.skipped > 0 || read.stamps_backwards > 0;
+    const bool doubtful = tell_findings(found.tour, report) > 0 || read.scans == 0;
+    if (!doubtful) report.say("nothing {}looks wrong in it\n", damaged ? "else " : "");
     report.end();
-    if (doubtful) throw CLI::RuntimeError(1);
+    if (doubtful || damaged) throw CLI::RuntimeError(1);
 }
 
 CLI::App* add_inspection(CLI::App& program, const std::string& name, const std::string& purpose,

@@ -25,7 +25,8 @@ struct LengthUnit;
 /// half a metre, and asks how well the later scan of each lies on the earlier one where the
 /// odometry puts it; then whether it would lie better if the scans were of another time, or the
 /// laser were mounted otherwise. Of the longest pauses too it keeps the scans before and after:
-/// those of one place, where the odometry says another, tell of a driver that began anew meanwhile.
+/// those of one place, where the odometry says another, tell of a driver that began anew meanwhile,
+/// those of two places, where it says one, of a robot that was carried.
 /// Of a tour behind another one (Scan::begins_tour) it begins anew. It takes some megabytes at the
 /// most, however long the tour is.
 class TourExamination {
@@ -94,6 +95,12 @@ class TourExamination {
         View second;
     };
     using Pairs = std::vector<const Pair*>;
+    /// The scans round a pause.
+    struct Pause {
+        Pair scans;
+        std::uint64_t line = 0;  ///< of the later one
+        double seconds() const { return scans.second.time_s - scans.first.time_s; }
+    };
 
     View view_of(const Scan& scan) const;
     std::optional<double> agreement(const Pair& pair, const Hypothesis& hypothesis) const;
@@ -198,6 +205,8 @@ class TourExamination {
     void doubt_heading(std::vector<TourFinding>& found) const;
     void settle_axes(TourFinding& told) const;
     void doubt_pauses(std::vector<TourFinding>& found) const;
+    std::optional<TourFinding> begun_anew(const Pause& pause, const Pose& step) const;
+    std::optional<TourFinding> unseen_way(const Pause& pause, const Pose& step) const;
     void note_self(const Scan& scan);
     void note_pause(const Scan& scan);
     void begin_next(bool& begun, std::uint64_t lines_before);
@@ -268,12 +277,6 @@ class TourExamination {
     double elapsed_s_ = 0.0;              ///< and of the tour there
     std::vector<Point2> last_points_;
     Fan last_fan_;
-    /// The scans round a pause.
-    struct Pause {
-        Pair scans;
-        std::uint64_t line = 0;  ///< of the later one
-        double seconds() const { return scans.second.time_s - scans.first.time_s; }
-    };
     std::vector<Pause> pauses_;  ///< the longest ones
     Fan fan_;
     std::vector<std::uint32_t> seen_rays_;  ///< how often each had a reading

@@ -91,6 +91,27 @@ TEST(TourPauses, NothingIsToldOfARobotThatRestsOrIsDriven) {
     EXPECT_TRUE(told({5.0, 0.0, 0.0}, {5.0, 0.0, 0.0}, 1000.0).empty());
 }
 
+TEST(TourPauses, ARobotThatWasCarriedMeanwhileIsTold) {
+    const std::vector<TourFinding> found = told({5.0, 3.0, 2.0}, {0.1, 0.0, 0.0});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found.front().kind, TourFinding::Kind::unfit_odometry);
+    EXPECT_LT(found.front().value, 0.3);
+    EXPECT_THAT(found.front().what.english(),
+                HasSubstr("for 40 s there is no scan, and what is seen then (line 500) is not what "
+                          "was seen before, though by the odometry it is 0.1 m from there"));
+    EXPECT_THAT(advice_of(found.front()).english(), HasSubstr("cut the log at that line"));
+}
+
+TEST(TourPauses, AWayThatNobodySawIsTold) {
+    // Two rooms: what is seen in the second tells nothing of how the robot came there.
+    const std::vector<TourFinding> found = told({5.0, 4.0, 2.0}, {9.0, -8.0, 1.0});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_THAT(
+        found.front().what.english(),
+        HasSubstr("for 40 s there is no scan (line 500), while the robot drives to 12.0 m"));
+    EXPECT_TRUE(found.front().remedies.empty());
+}
+
 TEST(TourExamination, OfHardlyAnythingNothingIsSaid) {
     TourExamination examination{ReadOptions{}};
     EXPECT_TRUE(examination.findings().empty());
