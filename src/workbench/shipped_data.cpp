@@ -10,6 +10,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "hitos/capture/archivo.hpp"
 #include "hitos/capture/live_source.hpp"
 #include "hitos/capture/tour_reader.hpp"
 
@@ -79,21 +80,33 @@ std::vector<std::string> shipped_worlds() {
     return names;
 }
 
-std::filesystem::path find_world(const std::string& name) {
+namespace {
+
+bool is_shipped(const std::string& name) {
+    return std::ranges::count(shipped_worlds(), name) > 0;
+}
+
+/// Whether a file of that name is what is asked for. A folder without a recording, as of the
+/// results of a world, does not hide the world.
+bool is_source(const std::string& name) {
     std::error_code ignored;
-    if (std::filesystem::exists(name, ignored)) return name;
-    const std::vector<std::string> worlds = shipped_worlds();
-    if (std::ranges::find(worlds, name) != worlds.end()) {
-        return worlds_folder() / (name + ".toml");
-    }
+    if (!std::filesystem::exists(name, ignored)) return false;
+    const bool other = std::filesystem::is_directory(name, ignored) && !is_recording_folder(name);
+    return !other || !is_shipped(name);
+}
+
+}  // namespace
+
+std::filesystem::path find_world(const std::string& name) {
+    if (is_source(name)) return name;
+    if (is_shipped(name)) return worlds_folder() / (name + ".toml");
     throw FileError(
         name, HITOS_TEXT("Errors", "no such world file; the worlds that come with Hitos are %1"),
-        fmt::format("{}", fmt::join(worlds, ", ")));
+        fmt::format("{}", fmt::join(shipped_worlds(), ", ")));
 }
 
 std::string source_named(const std::string& name) {
-    std::error_code ignored;
-    if (std::filesystem::exists(name, ignored)) return name;
+    if (is_source(name)) return name;
     if (is_websocket_address(name)) {
         throw FileError(name, HITOS_TEXT("Errors",
                                          "is the address of a running robot, expected a log: "
@@ -102,13 +115,12 @@ std::string source_named(const std::string& name) {
     }
     const bool bare = !name.empty() && name.find_first_of("./") == std::string::npos;
     if (!bare) return name;
-    const std::vector<std::string> worlds = shipped_worlds();
-    if (std::ranges::find(worlds, name) != worlds.end()) return find_world(name).string();
+    if (is_shipped(name)) return find_world(name).string();
     throw FileError(
         name,
         HITOS_TEXT("Errors",
                    "no such log, nor a world of that name; the worlds that come with Hitos are %1"),
-        fmt::format("{}", fmt::join(worlds, ", ")));
+        fmt::format("{}", fmt::join(shipped_worlds(), ", ")));
 }
 
 std::filesystem::path Lesson::page(std::string_view language) const {

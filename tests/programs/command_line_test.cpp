@@ -69,6 +69,19 @@ TEST_F(CommandLine, TheSourceDecidesThePresetWhereNobodyChooses) {
     EXPECT_NE(results(short_log_, "--config " + config_), results(short_log_, ""));
 }
 
+TEST_F(CommandLine, ResultsDoNotHideTheWorldOfTheirName) {
+    const std::string here = fmt::format("cd {} && {} ", path("."), cli_);
+    const std::string run = "run lineamedia --set filter.particles=2 --out lineamedia";
+    ASSERT_EQ(shell(here + run).status, 0);
+    const Outcome again = shell(here + run);
+    EXPECT_EQ(again.status, 0) << again.output;
+    EXPECT_EQ(shell(here + "simulate lineamedia --out lineamedia.log").status, 0);
+    // A folder that is no world's is what is asked for.
+    std::filesystem::create_directories(path("nowhere"));
+    EXPECT_NE(shell(here + "run nowhere --out x").output.find("without a recording"),
+              std::string::npos);
+}
+
 TEST_F(CommandLine, WhatTheSourceHasDecidedIsTold) {
     const std::string told = "parameters: preset recorded (a robot recorded it)";
     EXPECT_EQ(said(run("a")).status, 0);
