@@ -17,6 +17,7 @@
 #include "hitos/simulation/worlds/world_key.hpp"
 #include "hitos/workbench/shipped_data.hpp"
 #include "look/parameter_text.hpp"
+#include "spoken.hpp"
 #include "tests.hpp"
 #include "world/check_line.hpp"
 #include "world/import_dialog.hpp"
@@ -94,12 +95,9 @@ struct DrawFixture : Fixture {
         if (found == nullptr) qFatal("no action %s", name);
         found->trigger();
     }
-    /// Into the folder HITOS_PICTURES, where there is one: the guide's pictures are made so.
     void picture(const char* name) {
-        const QString pictures = qEnvironmentVariable("HITOS_PICTURES");
-        if (pictures.isEmpty()) return;
         QVERIFY(!verdict().isEmpty());
-        QVERIFY(world().grab().save(pictures + '/' + name));
+        QVERIFY(keep_picture(world(), name));
     }
     QString verdict() {
         const CheckLine& line = world().check_line();
@@ -125,10 +123,16 @@ bool are(const Polyline& line, const Polyline& wanted) {
 }  // namespace
 
 /// The guide's walk from an empty window to a saved map ("Drawing a world"), step by step.
+void DrawTest::from_an_empty_window_to_a_saved_map_data() {
+    add_languages();
+}
+
 void DrawTest::from_an_empty_window_to_a_saved_map() {
+    QFETCH(const QString, language);
+    const Spoken spoken(language);
     DrawFixture f;
     QVERIFY(f.text().text().empty());
-    QCOMPARE(f.verdict(), QString("Nothing is drawn yet."));
+    QCOMPARE(f.verdict(), spoken.said("Nothing is drawn yet.").front());
     QVERIFY(!f.world().findChild<QPushButton*>("world_drive")->isEnabled());
     f.draw_room();
     QVERIFY(are(f.text().walls().at(0), {{-1, -1}, {9, -1}, {9, 6}, {-1, 6}, {-1, -1}}));
@@ -149,8 +153,8 @@ void DrawTest::from_an_empty_window_to_a_saved_map() {
     f.click(0.5, 0.2);
     f.click(3.0, 0.2);
     QVERIFY(f.text().world().tour.start == (Pose{0.5, 0.2, 0.0}));
-    QVERIFY2(f.verdict().contains("start: free"), qPrintable(f.verdict()));
-    QVERIFY(f.verdict().contains("room: closed"));
+    QVERIFY2(f.verdict().contains(spoken.said("start: free").front()), qPrintable(f.verdict()));
+    QVERIFY(f.verdict().contains(spoken.said("room: closed").front()));
     f.picture("draw.png");
     f.press("world_drive");
     QVERIFY(f.no_warnings());

@@ -27,12 +27,6 @@
 namespace hitos::window {
 namespace {
 
-/// As it is read: without the mark of the letter that chooses it.
-QString read(QString text) {
-    text.replace("&&", "\x01").remove('&').replace('\x01', '&');
-    return text.section('\t', 0, 0).trimmed();
-}
-
 QList<QWidget*> windows_in_use() {
     if (QWidget* menu = QApplication::activePopupWidget()) return {menu};
     if (QWidget* dialog = QApplication::activeModalWidget()) return {dialog};
@@ -54,7 +48,7 @@ void with_all_in(QWidget& window, const std::function<void(QWidget&)>& look) {
 Target action_in(QWidget& bar, const QList<QAction*>& actions, const QString& words,
                  const std::function<QRect(QAction*)>& place) {
     for (QAction* action : actions) {
-        if (action->isVisible() && action->isEnabled() && read(action->text()) == words)
+        if (action->isVisible() && action->isEnabled() && as_read(action->text()) == words)
             return {&bar, place(action).center()};
     }
     return {};
@@ -66,7 +60,7 @@ Target cell_of(QAbstractItemView& view, const QString& words) {
     for (int row = 0; row < model->rowCount(view.rootIndex()); ++row) {
         for (int column = 0; column < model->columnCount(view.rootIndex()); ++column) {
             const QModelIndex index = model->index(row, column, view.rootIndex());
-            if (read(index.data().toString()) != words) continue;
+            if (as_read(index.data().toString()) != words) continue;
             view.scrollTo(index);
             const bool list = view.window()->windowType() == Qt::Popup;
             return {view.viewport(), view.visualRect(index).center(), list};
@@ -93,7 +87,7 @@ Target within(QWidget& widget, const QString& words) {
     }
     if (auto* tabs = qobject_cast<QTabBar*>(&widget)) {
         for (int i = 0; i < tabs->count(); ++i) {
-            if (read(tabs->tabText(i)) == words) return {tabs, tabs->tabRect(i).center()};
+            if (as_read(tabs->tabText(i)) == words) return {tabs, tabs->tabRect(i).center()};
         }
     }
     if (auto* view = qobject_cast<QAbstractItemView*>(&widget);
@@ -101,12 +95,12 @@ Target within(QWidget& widget, const QString& words) {
         if (Target cell = cell_of(*view, words); cell.widget != nullptr) return cell;
     }
     if (auto* button = qobject_cast<QAbstractButton*>(&widget)) {
-        if (button->isEnabled() && (read(button->text()) == words ||
+        if (button->isEnabled() && (as_read(button->text()) == words ||
                                     (button->text().isEmpty() && button->toolTip() == words)))
             return whole(*button);
     }
     if (auto* label = qobject_cast<QLabel*>(&widget); label != nullptr && label->buddy()) {
-        if (read(label->text()) == words) return whole(*label->buddy());
+        if (as_read(label->text()) == words) return whole(*label->buddy());
     }
     if (widget.isEnabled() && (widget.objectName() == words || widget.accessibleName() == words))
         return whole(widget);
@@ -115,18 +109,18 @@ Target within(QWidget& widget, const QString& words) {
 
 QString text_of(const QWidget& widget) {
     if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
-        if (!Qt::mightBeRichText(label->text())) return read(label->text());
+        if (!Qt::mightBeRichText(label->text())) return as_read(label->text());
         QTextDocument rich;
         rich.setHtml(label->text());
         return rich.toPlainText();
     }
     if (const auto* button = qobject_cast<const QAbstractButton*>(&widget))
-        return read(button->text());
+        return as_read(button->text());
     if (const auto* bar = qobject_cast<const QStatusBar*>(&widget)) return bar->currentMessage();
     if (const auto* line = qobject_cast<const QLineEdit*>(&widget)) return line->text();
     if (const auto* number = qobject_cast<const QAbstractSpinBox*>(&widget)) return number->text();
     if (const auto* box = qobject_cast<const QComboBox*>(&widget)) return box->currentText();
-    if (const auto* box = qobject_cast<const QGroupBox*>(&widget)) return read(box->title());
+    if (const auto* box = qobject_cast<const QGroupBox*>(&widget)) return as_read(box->title());
     if (const auto* edit = qobject_cast<const QTextEdit*>(&widget)) return edit->toPlainText();
     if (const auto* edit = qobject_cast<const QPlainTextEdit*>(&widget)) return edit->toPlainText();
     return {};
@@ -146,11 +140,17 @@ void add_cells(const QAbstractItemView& view, QStringList& seen) {
 
 }  // namespace
 
-Target target_of(const QString& words) {
+QString as_read(QString text) {
+    text.replace("&&", "\x01").remove('&').replace('\x01', '&');
+    return text.section('\t', 0, 0).trimmed();
+}
+
+Target target_of(const QStringList& words) {
     for (QWidget* window : windows_in_use()) {
         Target found;
         with_all_in(*window, [&](QWidget& widget) {
-            if (found.widget == nullptr) found = within(widget, words);
+            for (const QString& one : words)
+                if (found.widget == nullptr) found = within(widget, one);
         });
         if (found.widget != nullptr) return found;
     }
@@ -166,7 +166,7 @@ QStringList all_in_sight() {
             if (const auto* view = qobject_cast<QAbstractItemView*>(&widget))
                 add_cells(*view, seen);
             if (const auto* menu = qobject_cast<QMenu*>(&widget)) {
-                for (const QAction* action : menu->actions()) seen << read(action->text());
+                for (const QAction* action : menu->actions()) seen << as_read(action->text());
             }
         });
     }

@@ -16,9 +16,12 @@ struct Target {
     bool slow = false;  ///< of a list that has just opened: a click counts a little later
 };
 
-/// The button, menu, tab, cell or field with those words: what is written on it, else the label of
-/// a field, else its name in the program.
-Target target_of(const QString& words);
+/// As a text is read: without the mark of the letter that chooses it.
+QString as_read(QString text);
+
+/// The button, menu, tab, cell or field with one of those words: what is written on it, else the
+/// label of a field, else its name in the program.
+Target target_of(const QStringList& words);
 
 /// All that is written in the windows that can be used now.
 QStringList all_in_sight();

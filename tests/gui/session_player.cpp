@@ -10,7 +10,6 @@
 #include <QKeySequence>
 #include <QLineEdit>
 #include <QRegularExpression>
-#include <QTranslator>
 #include <algorithm>
 #include <map>
 #include <string>
@@ -24,6 +23,7 @@
 #include "look/screen_fit.hpp"
 #include "runs/runs.hpp"
 #include "session_eyes.hpp"
+#include "spoken.hpp"
 #include "workers/log_counter.hpp"
 #include "world/check_line.hpp"
 #include "world/live_drive.hpp"
@@ -59,9 +59,11 @@ QString short_lines(QStringList lines) {
     return lines.join('\n');
 }
 
-bool is_written(const QString& words) {
-    return std::ranges::any_of(all_in_sight(),
-                               [&](const QString& text) { return text.contains(words); });
+/// Any of these.
+bool is_written(const QStringList& words) {
+    return std::ranges::any_of(all_in_sight(), [&](const QString& text) {
+        return std::ranges::any_of(words, [&](const QString& one) { return text.contains(one); });
+    });
 }
 
 /// Where nobody manages windows, the one above asks for the keyboard itself.
@@ -103,8 +105,8 @@ struct Aim {
 /// Plays from the event loop, so that a dialog that waits for its answer gets it.
 class Player final : public QObject {
   public:
-    Player(KeyboardFixture& fixture, std::vector<Step> steps, int patience_ms)
-        : f_(fixture), steps_(std::move(steps)), patience_ms_(patience_ms) {}
+    Player(KeyboardFixture& fixture, const Spoken& spoken, std::vector<Step> steps, int patience_ms)
+        : f_(fixture), spoken_(spoken), steps_(std::move(steps)), patience_ms_(patience_ms) {}
 
     /// Empty, or what did not come true, with its line.
     QString play() {
@@ -199,12 +201,14 @@ class Player final : public QObject {
     bool asks_for_file(const QString& /*rest*/) {
         return has_keyboard() && file_name_field() != nullptr;
     }
-    bool is_in_sight(const QString& words) { return is_written(words); }
-    bool is_gone(const QString& words) { return !is_written(words); }
+    bool is_in_sight(const QString& words) { return is_written(spoken_.said(words)); }
+    bool is_gone(const QString& words) { return !is_written(spoken_.said(words)); }
     bool is_file(const QString& path) { return QFileInfo(path).size() > 0; }
 
+    Target target_under(const QString& words) const { return target_of(spoken_.said(words)); }
+
     bool is_target(const QString& rest) {
-        const Target target = target_of(Aim(rest).name);
+        const Target target = target_under(Aim(rest).name);
         constexpr int kAfterOpening = 100;
         const int wait = target.slow ? QApplication::doubleClickInterval() + kAfterOpening : 0;
         return target.widget != nullptr && since_.elapsed() >= wait;
@@ -251,7 +255,7 @@ class Player final : public QObject {
     void give_size(const QString& size) { apply_size(*window_above(), size.toStdString()); }
 
     void press_key(const QString& name) {
-        const QKeySequence keys(name);
+        const QKeySequence keys(spoken_.key(name));
         if (keys.count() != 1 || keys[0].key() == Qt::Key_unknown) {
             fail("there is no such key", at_ - 1);
             return;
@@ -283,7 +287,7 @@ class Player final : public QObject {
 
     void click_at(const QString& rest, bool twice) {
         const Aim aim(rest);
-        const Target target = target_of(aim.name);
+        const Target target = target_under(aim.name);
         QWidget* widget = target.widget;
         QPoint place = target.at;
         if (const auto* view = qobject_cast<CanvasView*>(widget); aim.placed && view != nullptr) {
@@ -312,13 +316,11 @@ class Player final : public QObject {
     }
 
     void take_picture(const QString& name) {
-        const QImage picture = window_above()->grab().toImage();
-        const QString folder = qEnvironmentVariable("HITOS_PICTURES");
-        if (picture.isNull() || (!folder.isEmpty() && !picture.save(folder + '/' + name)))
-            fail("the picture was not made", at_ - 1);
+        if (!keep_picture(*window_above(), name)) fail("the picture was not made", at_ - 1);
     }
 
     KeyboardFixture& f_;
+    const Spoken& spoken_;
     std::vector<Step> steps_;
     int patience_ms_;
     std::size_t at_ = 0;
@@ -353,20 +355,15 @@ class Desk {
     QByteArray pictures_;
 };
 
-/// The language and the theme of a session, and those of the tests again.
-class Setting {
+/// The theme of a session, and that of the tests again.
+class Look {
   public:
-    explicit Setting(const CommandLine& line) {
-        speak(*qApp, line.language.empty() ? "en" : QString::fromStdString(line.language));
-        apply_theme(*qApp, line.theme == "dark" ? Theme::dark : Theme::light);
+    explicit Look(const std::string& theme) {
+        apply_theme(*qApp, theme == "dark" ? Theme::dark : Theme::light);
     }
-    ~Setting() {
-        for (const QTranslator* words : qApp->findChildren<QTranslator*>()) delete words;
-        speak(*qApp, "en");
-        apply_theme(*qApp, Theme::light);
-    }
-    Setting(const Setting&) = delete;
-    Setting& operator=(const Setting&) = delete;
+    ~Look() { apply_theme(*qApp, Theme::light); }
+    Look(const Look&) = delete;
+    Look& operator=(const Look&) = delete;
 };
 
 /// False where it is no command line of a window that somebody looks at.
@@ -381,14 +378,15 @@ bool parse_words(const QString& words, CommandLine& line) {
     return line.screenshot.empty();
 }
 
-QString play_in(const CommandLine& line, std::vector<Step> steps, int patience_ms, Effort& effort) {
+QString play_in(const CommandLine& line, const Spoken& spoken, std::vector<Step> steps,
+                int patience_ms, Effort& effort) {
     KeyboardFixture f(0);
     apply_size(*f.window, line.size);
     open_named(*f.window, line, Audience::somebody);
     begin(*f.window, f.session, line);
     QElapsedTimer clock;
     clock.start();
-    Player player(f, std::move(steps), patience_ms);
+    Player player(f, spoken, std::move(steps), patience_ms);
     QString failure = player.play();
     effort = player.effort();
     effort.seconds = static_cast<double>(clock.elapsed()) / 1000.0;
@@ -403,7 +401,8 @@ int patience_ms() {
 
 }  // namespace
 
-QString failure_of_session(const QString& file, int patience_ms, Effort* effort) {
+QString failure_of_session(const QString& file, int patience_ms, Effort* effort,
+                           const QString& language) {
     std::vector<Step> steps = steps_of(file);
     CommandLine line;
     if (steps.size() < 2 || steps.front().verb != "hitos" || steps.back().verb != "effort" ||
@@ -414,18 +413,19 @@ QString failure_of_session(const QString& file, int patience_ms, Effort* effort)
     steps.erase(steps.begin());
     steps.pop_back();
     const Desk desk;
-    const Setting setting(line);
+    const Spoken spoken(line.language.empty() ? language : QString::fromStdString(line.language));
+    const Look look(line.theme);
     Effort spent;
-    QString failure = play_in(line, std::move(steps), patience_ms, spent);
+    QString failure = play_in(line, spoken, std::move(steps), patience_ms, spent);
     const QString found = QString("%1 clicks, %2 keys").arg(spent.clicks).arg(spent.keys);
     if (failure.isEmpty() && found != wanted) failure = "effort: found " + found;
     if (effort != nullptr) *effort = spent;
     return failure;
 }
 
-Effort play_session(const QString& file) {
+Effort play_session(const QString& file, const QString& language) {
     Effort effort;
-    const QString failure = failure_of_session(file, patience_ms(), &effort);
+    const QString failure = failure_of_session(file, patience_ms(), &effort, language);
     if (!failure.isEmpty()) QTest::qFail(qPrintable(failure), qPrintable(file), 0);
     return effort;
 }

@@ -19,7 +19,8 @@
 //   picture NAME.png        of the window above, into the folder HITOS_PICTURES where there is one
 //   effort C clicks, K keys what all of it takes; always the last line
 //
-// A path begins in the sources, but for out/, a folder that goes with the session.
+// A path begins in the sources, but for out/, a folder that goes with the session. Words are
+// English; where the window speaks another language, they are what it says there for them.
 #pragma once
 
 #include <QString>
@@ -33,9 +34,11 @@ struct Effort {
 };
 
 /// Plays it; fails the test under way where something does not come true, with its line.
-Effort play_session(const QString& file);
+/// `language` counts where the session's own command line names none.
+Effort play_session(const QString& file, const QString& language = "en");
 
 /// What does not come true, having waited so long for it; empty where all does.
-QString failure_of_session(const QString& file, int patience_ms, Effort* effort = nullptr);
+QString failure_of_session(const QString& file, int patience_ms, Effort* effort = nullptr,
+                           const QString& language = "en");
 
 }  // namespace hitos::window

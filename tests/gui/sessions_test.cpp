@@ -13,14 +13,20 @@ namespace hitos::window {
 
 void SessionsTest::they_come_true_data() {
     QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("language");
     const QDir folder(Fixture::source_file("tests/gui/sessions"));
-    for (const QString& name : folder.entryList({"*.session"}))
-        QTest::newRow(qPrintable(name.section('.', 0, 0))) << folder.filePath(name);
+    for (const QString& name : folder.entryList({"*.session"})) {
+        const QString title = name.section('.', 0, 0);
+        QTest::newRow(qPrintable(title)) << folder.filePath(name) << "en";
+        if (!Fixture::read(folder.filePath(name)).contains("--language"))
+            QTest::newRow(qPrintable(title + "-es")) << folder.filePath(name) << "es";
+    }
 }
 
 void SessionsTest::they_come_true() {
     QFETCH(const QString, file);
-    const Effort effort = play_session(file);
+    QFETCH(const QString, language);
+    const Effort effort = play_session(file, language);
     qInfo("%d clicks, %d keys, %.1f s", effort.clicks, effort.keys, effort.seconds);
 }
 

@@ -63,6 +63,7 @@ class DrawTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void from_an_empty_window_to_a_saved_map_data();
     void from_an_empty_window_to_a_saved_map();
     void what_is_drawn_is_saved_and_read_the_same();
     void shipped_worlds_keep_their_comments();
@@ -373,6 +374,7 @@ class GraphTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void a_graph_is_shown_with_its_worst_edges_data();
     void a_graph_is_shown_with_its_worst_edges();
     void changes_are_solved_at_once_undone_and_taken_back();
     void keys_undo_changes_unless_somebody_writes();
