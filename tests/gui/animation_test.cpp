@@ -140,6 +140,14 @@ void ViewTest::a_film_shows_both_views_up_to_its_size() {
     QVERIFY(first.width() == 1920 || first.height() == 1080);
     QVERIFY(first.width() <= 1920 && first.height() <= 1080);
     QVERIFY(first != last);
+    // Beside each other, of one height, each of its own shape.
+    double shape = 0.0;
+    for (CanvasView* view :
+         {static_cast<CanvasView*>(&f.window->scan_view()), static_cast<CanvasView*>(&grid)}) {
+        const QSizeF size = view->figures().front().as_seen(1.0).size;
+        shape += size.width() / size.height();
+    }
+    QVERIFY(std::abs(static_cast<double>(first.width()) / first.height() - shape) < 0.01);
     // The camera stood where it was, and is free again.
     QTRY_VERIFY(f.steps() == 30 && f.shows_everything());
     QVERIFY(grid.fits());

@@ -13,6 +13,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTranslator>
+#include <QVBoxLayout>
 
 #include "animation/animation_dialog.hpp"
 #include "dialogs/configuration_dialog.hpp"
@@ -26,6 +27,7 @@
 #include "look/screen_fit.hpp"
 #include "runs/compare_window.hpp"
 #include "runs/runs.hpp"
+#include "spoken.hpp"
 #include "tests.hpp"
 #include "world/world_form.hpp"
 #include "world/world_window.hpp"
@@ -126,6 +128,41 @@ void FitTest::every_window_fits_data() {
             QTest::addRow("%s, %s", language, dark ? "dark" : "light") << language << dark;
         }
     }
+}
+
+/// With what the ready tour changes of the defaults.
+void FitTest::chips_are_whole_and_their_values_last_data() {
+    add_languages();
+}
+
+void FitTest::chips_are_whole_and_their_values_last() {
+    QFETCH(const QString, language);
+    const Spoken spoken(language);
+    Fixture f;
+    const auto narrowest = [&](QSize size) {
+        f.window->resize(size);
+        QCoreApplication::processEvents();
+        double share = 1.0;
+        for (const QLabel* values : f.window->findChildren<QLabel*>("marked")) {
+            const int room = std::min(values->sizeHint().width(), 130);
+            share = std::min(share, static_cast<double>(values->width()) / std::max(1, room));
+        }
+        return share;
+    };
+    QVERIFY(narrowest({1366, 708}) >= 1.0);
+    // English words are short enough for all of it.
+    for (const QLabel* values : f.window->findChildren<QLabel*>("marked")) {
+        if (language != "en") break;
+        for (const QLabel* label : values->parentWidget()->findChildren<QLabel*>())
+            QVERIFY2(label->width() >= label->sizeHint().width(),
+                     qPrintable(QString("%1: %2 of %3")
+                                    .arg(label->text())
+                                    .arg(label->width())
+                                    .arg(label->sizeHint().width())));
+    }
+    f.trigger("action_landmarks_dock");
+    const double beside = narrowest({1366, 708});
+    QVERIFY2(beside >= 1.0, qPrintable(QString::number(beside)));
 }
 
 void FitTest::in_a_low_window_the_groups_are_chips() {
@@ -330,6 +367,37 @@ void FitTest::what_opens_lies_on_its_screen_with_its_frame() {
         place_beside_parent(other, QPoint(2000, 2000));
         on_screen(other);
     }
+}
+
+void FitTest::what_scrolls_down_is_wide_enough_for_new_words() {
+    QScrollArea area;
+    auto* content = new QWidget;
+    auto* button = new QPushButton("a");
+    (new QVBoxLayout(content))->addWidget(button);
+    area.setWidget(content);
+    area.setWidgetResizable(true);
+    scroll_down_only(area);
+    area.show();
+    const int before = area.minimumWidth();
+    button->setText("much longer words than there were before");
+    QTRY_VERIFY(area.minimumWidth() > before);
+    QVERIFY(area.minimumWidth() > button->minimumSizeHint().width());
+}
+
+/// The bar of a box has the program's name beside its title, and buttons.
+void FitTest::the_title_of_a_box_has_room() {
+    Fixture f;
+    QtPrompts prompts;
+    const QString title = "The reference trajectory is in doubt for many reasons";
+    const auto wide = [&title](QMessageBox& box) {
+        const int words = box.fontMetrics().horizontalAdvance(title + " - Hitos");
+        QVERIFY2(box.width() >= words + 100, qPrintable(QString::number(box.width() - words)));
+        box.reject();
+    };
+    in_dialog<QMessageBox>(wide);
+    prompts.warn(f.window.get(), title, "No.");
+    in_dialog<QMessageBox>(wide);
+    QVERIFY(!prompts.confirm(f.window.get(), {title, "Go on?", "It is lost.", "Yes", true}));
 }
 
 /// Messages have paths and reasons, which are as long as they are.

@@ -383,6 +383,29 @@ void InspectTest::what_a_correction_merges_is_no_new_landmark() {
     }
 }
 
+/// In the scan it looks like what was matched.
+void InspectTest::what_was_merged_is_marked_as_matched() {
+    Fixture f;
+    f.run_steps(40);
+    Snapshot snapshot = *f.session.snapshot();
+    const auto with_landmark = std::ranges::find_if(
+        snapshot.associations, [](const Association& one) { return one.landmark >= 0; });
+    QVERIFY(with_landmark != snapshot.associations.end());
+    ScanView view;
+    view.resize(500, 400);
+    const auto seen_as = [&](Association::Outcome outcome, std::uint64_t first_seen) {
+        with_landmark->outcome = outcome;
+        auto& landmark = snapshot.best_map[static_cast<std::size_t>(with_landmark->landmark)];
+        landmark.first_seen = static_cast<decltype(landmark.first_seen)>(first_seen);
+        view.set_snapshot(std::make_shared<const Snapshot>(snapshot));
+        return picture_of(view);
+    };
+    const QImage created = seen_as(Association::Outcome::created, snapshot.steps - 1);
+    const QImage merged = seen_as(Association::Outcome::created, 3);
+    QVERIFY(merged != created);
+    QCOMPARE(merged, seen_as(Association::Outcome::matched, 3));
+}
+
 void InspectTest::weighing_again_leaves_the_run_as_it_was() {
     Fixture f;
     f.trigger("action_associations_dock");

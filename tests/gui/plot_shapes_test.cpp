@@ -143,6 +143,29 @@ void ViewTest::lines_of_a_plot_end_with_it_in_svg_too() {
     QVERIFY(points > 10);
 }
 
+/// In a narrow window it goes on in another line.
+void StudyTest::titles_are_told_whole() {
+    QCustomPlot plot;
+    plot.plotLayout()->clear();
+    const QString words =
+        "Quality of the map [m²]: every run, mean and standard deviation; dashed: as it ought to "
+        "be";
+    add_titled_plot(plot, 0, 0, words);
+    add_titled_plot(plot, 1, 0, words.section(';', 0, 0));
+    plot.setViewport(QRect(0, 0, 250, 400));
+    plot.replot();
+    for (const int row : {0, 1}) {
+        const QCPTextElement& title = *title_of(plot, row, 0);
+        const QRect room = title.rect();
+        QVERIFY(room.right() <= 250);
+        const QRect needed =
+            QFontMetrics(title.font())
+                .boundingRect(room, Qt::TextWordWrap | Qt::AlignLeft, title.text());
+        QVERIFY2(room.contains(needed), qPrintable(title.text()));
+    }
+    QVERIFY(title_of(plot, 0, 0)->rect().height() > title_of(plot, 1, 0)->rect().height());
+}
+
 void StudyTest::the_legend_of_shares_names_what_fits() {
     StudyCalibration plot(nullptr);
     plot.resize(900, 400);

@@ -65,6 +65,32 @@ void SourceTest::a_log_is_chosen() {
     QTRY_VERIFY(f.window->findChild<QLabel*>("status_scan")->text().contains("1050"));
 }
 
+/// It counts when the file turns out good; another name is another matter.
+void SourceTest::return_is_not_lost_while_a_file_is_read() {
+    Fixture f(false);
+    const QString log = Fixture::source_file("data/bigloop.log.gz");
+    in_dialog<SourceDialog>([&log](SourceDialog& dialog) {
+        auto* path = dialog.findChild<QLineEdit*>("path");
+        dialog.set_path(log);
+        QTest::keyClick(path, Qt::Key_Return);
+        QVERIFY(!ok(dialog)->isEnabled());
+        QTest::keyClicks(path, "x");
+        wait_for_check(dialog);
+        QVERIFY(dialog.isVisible());
+        QTest::keyClick(path, Qt::Key_Backspace);
+        wait_for_check(dialog);
+        QVERIFY(dialog.isVisible());
+        dialog.set_path("");
+        dialog.set_path(log);
+        QTest::keyClick(path, Qt::Key_Return);
+        QVERIFY(dialog.isVisible());
+        QTRY_VERIFY(!dialog.isVisible());
+        QCOMPARE(dialog.result(), int(QDialog::Accepted));
+    });
+    f.trigger("action_select_source");
+    QVERIFY(f.session.has_source());
+}
+
 void SourceTest::a_missing_file_is_told_in_the_form() {
     Fixture f;
     const std::string before = f.session.configuration().source.file;

@@ -20,6 +20,7 @@ class SourceTest : public QObject {
 
   private slots:
     void a_log_is_chosen();
+    void return_is_not_lost_while_a_file_is_read();
     void a_missing_file_is_told_in_the_form();
     void another_type_than_said_is_told_in_the_form();
     void a_file_that_is_no_log_is_told_in_the_form();
@@ -351,6 +352,7 @@ class InspectTest : public QObject {
     void a_clicked_feature_tells_why();
     void the_inspector_tells_of_every_algorithm_and_particle();
     void what_a_correction_merges_is_no_new_landmark();
+    void what_was_merged_is_marked_as_matched();
     void weighing_again_leaves_the_run_as_it_was();
     void loops_are_listed_with_the_reason();
     void a_loop_is_chosen_in_the_map();
@@ -428,6 +430,7 @@ class StudyTest : public QObject {
     void the_true_path_of_the_session_is_used();
     void other_figures_can_be_looked_at();
     void expected_and_seen_shares_are_a_plot();
+    void titles_are_told_whole();
     void the_legend_of_shares_names_what_fits();
     void a_stopped_study_goes_on_where_it_was();
     void another_studys_folder_is_asked_about();
@@ -477,6 +480,8 @@ class FitTest : public QObject {
     Q_OBJECT
 
   private slots:
+    void chips_are_whole_and_their_values_last_data();
+    void chips_are_whole_and_their_values_last();
     void in_a_low_window_the_groups_are_chips();
     void the_views_keep_their_height_data();
     void the_views_keep_their_height();
@@ -484,6 +489,8 @@ class FitTest : public QObject {
     void every_window_fits();
     void what_opens_is_no_larger_than_its_screen();
     void what_opens_lies_on_its_screen_with_its_frame();
+    void what_scrolls_down_is_wide_enough_for_new_words();
+    void the_title_of_a_box_has_room();
     void what_is_told_is_told_whole();
     void at_scale_two_it_fits_too();
     void the_summary_can_be_folded();

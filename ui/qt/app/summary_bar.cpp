@@ -26,6 +26,8 @@ constexpr std::array kCards{ParameterGroup::source, ParameterGroup::motion,
                             ParameterGroup::particle_filter, ParameterGroup::observation,
                             ParameterGroup::split_merge};
 
+constexpr std::string_view kMap = "source.map";
+
 /// What the card of a group shows: its own parameters, then those of other groups that stand on it;
 /// what has no effect is left out.
 std::vector<const ConfigParameter*> rows_of(ParameterGroup card,
@@ -41,7 +43,7 @@ std::vector<const ConfigParameter*> rows_of(ParameterGroup card,
     add(true);
     add(false);
     if (card == ParameterGroup::source && !configuration.source.map.empty())
-        rows.push_back(&find_parameter("source.map"));
+        rows.push_back(&find_parameter(kMap));
     return rows;
 }
 
@@ -56,8 +58,7 @@ void set_role(QWidget* widget, const char* role) {
 }
 
 bool is_marked(const ConfigParameter& parameter, const Configuracion& configuration) {
-    const bool told =
-        parameter.type != ConfigParameter::Type::text || parameter.key == "source.map";
+    const bool told = parameter.type != ConfigParameter::Type::text || parameter.key == kMap;
     return told && !is_default(parameter, configuration);
 }
 
@@ -114,8 +115,8 @@ void fill_card(QFrame& frame, ParameterGroup card, const Configuracion& configur
     rows->setRowStretch(rows->rowCount(), 1);
 }
 
-/// What differs from the default, and the log.
-void fill_chip(QFrame& frame, ParameterGroup card, const Configuracion& configuration) {
+/// What differs from the default, and the log. Returns how wide it would be with all of its words.
+int fill_chip(QFrame& frame, ParameterGroup card, const Configuracion& configuration) {
     auto* row = new QHBoxLayout(&frame);
     row->setContentsMargins(10, 3, 10, 3);
     row->setSpacing(8);
@@ -138,11 +139,17 @@ void fill_chip(QFrame& frame, ParameterGroup card, const Configuracion& configur
     auto* values = new ElidedLabel(marked.join(", "));
     values->setObjectName("marked");
     values->setTextFormat(Qt::PlainText);
-    values->setMinimumWidth(20);
-    values->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     set_role(values, card == ParameterGroup::source ? "value" : "changed");
     row->addWidget(values, 1);
+    // Where there is no room for both, the title ends in dots first, as names do in the cards.
+    constexpr int kWidest = 130;
+    title->ensurePolished();
+    values->ensurePolished();
+    const int wanted = frame.sizeHint().width();
+    values->setMinimumWidth(std::min(values->sizeHint().width(), kWidest));
+    values->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     frame.setToolTip(all.join('\n'));
+    return wanted;
 }
 
 }  // namespace
@@ -188,8 +195,12 @@ void SummaryBar::rebuild() {
     for (const ParameterGroup card : kCards) {
         QFrame* frame = make_frame(card, this);
         frame->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-        (folded_ ? fill_chip : fill_card)(*frame, card, configuration_);
-        row->addWidget(frame, 1);
+        int share = 1;
+        if (folded_)
+            share = fill_chip(*frame, card, configuration_);
+        else
+            fill_card(*frame, card, configuration_);
+        row->addWidget(frame, share);
         if (focused != frame->property("group")) continue;
         frame->show();  // what is hidden cannot take it
         frame->setFocus();

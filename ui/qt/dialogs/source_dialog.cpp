@@ -7,6 +7,7 @@
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QFontDatabase>
+#include <QKeyEvent>
 #include <QMimeData>
 #include <QPointer>
 #include <QPushButton>
@@ -153,6 +154,7 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
 
 void SourceDialog::connect_fields() {
     connect(ui_->path, &QLineEdit::textChanged, this, [this] {
+        hurries_ = false;
         // What was set is of the recording that it was set for.
         SourceParams other = goes_on_ ? source() : source_;
         const bool same = ui_->path->text().trimmed().toStdString() == source_.file;
@@ -184,6 +186,7 @@ void SourceDialog::connect_fields() {
     connect(how_read_, &SourceReading::edited, this, [this] {
         ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
         typed_ = true;
+        hurries_ = false;
         show_verdict(tr("Reading…"), "muted");
     });
     connect(how_read_, &SourceReading::changed, this, &SourceDialog::check_reading);
@@ -295,6 +298,7 @@ void SourceDialog::end_check(const Stop& stop, const std::optional<SourceInspect
     if (stop != stop_ || *stop) return;  // a later check is under way
     ui_->reading->hide();
     if (!summary) {
+        hurries_ = false;
         show_verdict(refusal.reason, "error");
         show_lines(refusal.first_lines);
         emit checked(false);
@@ -327,6 +331,7 @@ void SourceDialog::end_check(const Stop& stop, const std::optional<SourceInspect
     offer_remedies(summary->tour.findings);
     ui_->buttons->button(QDialogButtonBox::Ok)->setEnabled(may_accept());
     emit checked(scans);
+    if (hurries_ && may_accept()) accept();
 }
 
 void SourceDialog::show_lines(const std::vector<Message>& first_lines) {
@@ -391,6 +396,12 @@ void SourceDialog::offer_remedies(const std::vector<TourFinding>& findings) {
             ui_->remedies->addWidget(button, 0, Qt::AlignLeft);
         }
     }
+}
+
+void SourceDialog::keyPressEvent(QKeyEvent* event) {
+    const bool reads = typed_ || ui_->reading->isVisible();
+    hurries_ = reads && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter);
+    QDialog::keyPressEvent(event);
 }
 
 void SourceDialog::dragEnterEvent(QDragEnterEvent* event) {

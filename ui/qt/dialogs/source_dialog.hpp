@@ -52,6 +52,8 @@ class SourceDialog final : public QDialog {
   protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    /// Return counts while a file is still being read: as soon as it turns out good.
+    void keyPressEvent(QKeyEvent* event) override;
 
   private:
     using Stop = std::shared_ptr<std::atomic<bool>>;
@@ -87,6 +89,7 @@ class SourceDialog final : public QDialog {
     std::optional<SourceInspection> summary_;
     Stop stop_;             ///< of the check under way
     bool typed_ = false;    ///< what is shown is not what fields say
+    bool hurries_ = false;  ///< Return was pressed before all was read
     bool goes_on_ = false;  ///< with a map
     /// What checks tell comes to here: one that is slow to stop may outlive the dialog.
     std::shared_ptr<QObject> told_{new QObject, [](QObject* object) { object->deleteLater(); }};

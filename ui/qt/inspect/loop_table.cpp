@@ -117,6 +117,7 @@ LoopTable::LoopTable(Session& session, QWidget* parent)
     inside->addWidget(reason_);
     edits_ = new EditList(session, *table_, there_);
     inside->addWidget(edits_);
+    scroll_down_only(*scroll_);
     connect(edits_, &EditList::edits_wanted, this, &LoopTable::edits_wanted);
     connect(edits_, &EditList::drawing_wanted, this, &LoopTable::drawing_wanted);
     connect(edits_, &EditList::drawing_read, this, &LoopTable::drawing_read);
@@ -416,7 +417,6 @@ void LoopTable::refresh() {
     take_loops();
     edits_->refresh();
     show_chosen();
-    scroll_down_only(*scroll_);
 }
 
 void LoopTable::show_chosen() {

@@ -7,6 +7,8 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
+#include <QGridLayout>
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QLineEdit>
@@ -95,6 +97,18 @@ class OwnFileDialog : public QFileDialog {
     QByteArray columns_;
     QByteArray widths_;
 };
+
+/// Of plain text: what a file is called is no markup. As wide as the bar with its title, where the
+/// desktop adds the program's name and buttons.
+int answer_to(QMessageBox& box) {
+    constexpr int kButtons = 120;
+    box.setTextFormat(Qt::PlainText);
+    const QString title = box.windowTitle() + " — " + QGuiApplication::applicationDisplayName();
+    auto* grid = qobject_cast<QGridLayout*>(box.layout());
+    const int width = box.fontMetrics().horizontalAdvance(title) + kButtons;
+    grid->addItem(new QSpacerItem(width, 0), grid->rowCount(), 0, 1, grid->columnCount());
+    return box.exec();
+}
 
 /// Asks for the name of a folder to write: that of one that is there is taken too, where the usual
 /// dialog would walk into it.
@@ -187,12 +201,11 @@ QString QtPrompts::choose_folder(QWidget* parent, const QString& title, const QS
 bool QtPrompts::confirm(QWidget* parent, const Question& question) {
     QMessageBox box(QMessageBox::Question, question.title, question.text, QMessageBox::Cancel,
                     parent);
-    box.setTextFormat(Qt::PlainText);
     box.setInformativeText(question.details);
     QPushButton* accept = box.addButton(question.accept, QMessageBox::AcceptRole);
     box.setDefaultButton(
         question.loses ? qobject_cast<QPushButton*>(box.button(QMessageBox::Cancel)) : accept);
-    box.exec();
+    answer_to(box);
     return box.clickedButton() == accept;
 }
 
@@ -220,8 +233,7 @@ std::optional<QString> QtPrompts::text(QWidget* parent, const QString& title, co
 
 void QtPrompts::warn(QWidget* parent, const QString& title, const QString& text) {
     QMessageBox box(QMessageBox::Warning, title, text, QMessageBox::Ok, parent);
-    box.setTextFormat(Qt::PlainText);  // what a file is called is no markup
-    box.exec();
+    answer_to(box);
 }
 
 bool may_overwrite(Prompts& prompts, QWidget* parent, const QString& path) {

@@ -31,6 +31,25 @@ void move_into(const QRect& room, QWidget& window, QPoint wanted) {
                 std::clamp(wanted.y(), least.y(), most.y()));
 }
 
+/// Whenever its content is laid out anew, as for other words.
+class WideEnough final : public QObject {
+  public:
+    explicit WideEnough(QScrollArea& area) : QObject(&area), area_(area) { widen(); }
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::LayoutRequest) widen();
+        return QObject::eventFilter(watched, event);
+    }
+
+  private:
+    void widen() {
+        area_.setMinimumWidth(area_.widget()->minimumSizeHint().width() + 2 * area_.frameWidth() +
+                              area_.verticalScrollBar()->sizeHint().width());
+    }
+
+    QScrollArea& area_;
+};
+
 }  // namespace
 
 void fit_to_screen(QWidget& window) {
@@ -41,8 +60,7 @@ void scroll_down_only(QScrollArea& area) {
     // What the style sheet says of fonts and margins counts from the first showing on, else.
     for (QWidget* part : area.widget()->findChildren<QWidget*>()) part->ensurePolished();
     area.widget()->ensurePolished();
-    area.setMinimumWidth(area.widget()->minimumSizeHint().width() + 2 * area.frameWidth() +
-                         area.verticalScrollBar()->sizeHint().width());
+    area.widget()->installEventFilter(new WideEnough(area));
 }
 
 void apply_size(QWidget& window, const std::string& size) {

@@ -11,9 +11,33 @@
 
 namespace hitos::window {
 
+namespace {
+
+/// Goes on in another line where the plot is too narrow for it; Qt's own would be cut.
+class Title final : public QCPTextElement {
+  public:
+    static constexpr int kFlags = Qt::AlignLeft | Qt::TextWordWrap;
+    using QCPTextElement::QCPTextElement;
+
+    QSize minimumOuterSizeHint() const override { return {0, height()}; }
+    QSize maximumOuterSizeHint() const override { return {QWIDGETSIZE_MAX, height()}; }
+
+  private:
+    int height() const {
+        const QCustomPlot& plot = *parentPlot();
+        const QMargins around = margins();
+        const int room = plot.viewport().width() / plot.plotLayout()->columnCount() -
+                         around.left() - around.right();
+        return QFontMetrics(font()).boundingRect(0, 0, room, 0, kFlags, text()).height() +
+               around.top() + around.bottom();
+    }
+};
+
+}  // namespace
+
 QCPAxisRect* add_titled_plot(QCustomPlot& plot, int row, int column, const QString& title) {
-    auto* words = new QCPTextElement(&plot, title, plot.font());
-    words->setTextFlags(Qt::AlignLeft);
+    auto* words = new Title(&plot, title, plot.font());
+    words->setTextFlags(Title::kFlags);
     words->setMargins(QMargins(8, 4, 4, 0));
     plot.plotLayout()->addElement(2 * row, column, words);
     auto* rect = new QCPAxisRect(&plot);
