@@ -109,10 +109,11 @@ void MainWindow::make_parts() {
     set_up_measuring(place);
     ui_->menu_view->insertSeparator(ui_->menu_theme->menuAction());
     ui_->views->setSizes({500, 500});
-    panels_ = new ViewPanels(*ui_->views,
-                             {{{ui_->scan_panel, ui_->scan_panel_title, ui_->scan_view},
-                               {ui_->grid_panel, ui_->grid_panel_title, ui_->grid_view}}},
-                             ui_->action_alone, ui_->action_stacked);
+    panels_ = new ViewPanels(
+        *ui_->views,
+        {{{ui_->scan_panel, ui_->scan_panel_title, ui_->scan_view, ui_->scan_frame},
+          {ui_->grid_panel, ui_->grid_panel_title, ui_->grid_view, ui_->grid_follow}}},
+        ui_->action_alone, ui_->action_stacked);
     layouts_ = new Layouts(
         *this, *ui_->menu_layouts, {ui_->action_presenting, ui_->action_alone, ui_->action_summary},
         files_.settings(), prompts_, {[this] { save_layout(); }, [this] { restore_layout(); }});
@@ -413,11 +414,7 @@ void MainWindow::name_what_runs() {
 /// Where the window is small its room is the views'.
 void MainWindow::resizeEvent(QResizeEvent* event) {
     constexpr int kLow = 820;
-    constexpr int kNarrow = 1300;
     ui_->summary->set_folded(height() < kLow);
-    const auto style = width() < kNarrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon;
-    ui_->scan_frame->setToolButtonStyle(style);
-    ui_->grid_follow->setToolButtonStyle(style);
     QMainWindow::resizeEvent(event);
 }
 

@@ -115,14 +115,14 @@ void fill_card(QFrame& frame, ParameterGroup card, const Configuracion& configur
     rows->setRowStretch(rows->rowCount(), 1);
 }
 
-/// What differs from the default, and the log. Returns how wide it would be with all of its words.
+/// What differs from the default, and the log. Returns how wide it ought to be.
 int fill_chip(QFrame& frame, ParameterGroup card, const Configuracion& configuration) {
     auto* row = new QHBoxLayout(&frame);
     row->setContentsMargins(10, 3, 10, 3);
     row->setSpacing(8);
     auto* title = new ElidedLabel(title_of(card, configuration));
     set_role(title, "title");
-    row->addWidget(title);
+    row->addWidget(title, 1);
     QStringList marked;
     QStringList all;
     QString file;
@@ -139,15 +139,17 @@ int fill_chip(QFrame& frame, ParameterGroup card, const Configuracion& configura
     auto* values = new ElidedLabel(marked.join(", "));
     values->setObjectName("marked");
     values->setTextFormat(Qt::PlainText);
+    values->setHidden(values->text().isEmpty());
     set_role(values, card == ParameterGroup::source ? "value" : "changed");
-    row->addWidget(values, 1);
+    row->addWidget(values);
     // Where there is no room for both, the title ends in dots first, as names do in the cards.
-    constexpr int kWidest = 130;
+    constexpr int kShortTitle = 56;
+    constexpr int kMost = 360;
     title->ensurePolished();
     values->ensurePolished();
-    const int wanted = frame.sizeHint().width();
-    values->setMinimumWidth(std::min(values->sizeHint().width(), kWidest));
-    values->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    const int wanted = std::min(frame.sizeHint().width(), kMost);
+    title->setMinimumWidth(std::min(title->sizeHint().width(), kShortTitle));
+    title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     frame.setToolTip(all.join('\n'));
     return wanted;
 }

@@ -4691,7 +4691,7 @@
     </message>
     <message>
         <source>Least squares</source>
-        <translation>Mínimos cuadrados</translation>
+        <translation>Mín. cuadrados</translation>
     </message>
     <message>
         <source>Without threshold</source>

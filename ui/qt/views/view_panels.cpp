@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <QSettings>
 #include <QSplitter>
+#include <QToolButton>
 #include <QWidget>
 #include <utility>
 
@@ -13,18 +14,28 @@ namespace hitos::window {
 ViewPanels::ViewPanels(QSplitter& splitter, const std::array<Panel, 2>& panels, QAction* alone,
                        QAction* stacked)
     : QObject(&splitter), splitter_(splitter), panels_(panels), alone_(alone), stacked_(stacked) {
-    for (const Panel& one : panels_) one.title->installEventFilter(this);
+    for (const Panel& one : panels_) {
+        one.title->installEventFilter(this);
+        one.panel->installEventFilter(this);
+    }
     connect(alone_, &QAction::toggled, this, &ViewPanels::show_alone);
     connect(stacked_, &QAction::toggled, this, &ViewPanels::stack);
 }
 
 bool ViewPanels::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() != QEvent::MouseButtonDblClick) return false;
+    constexpr int kNarrow = 600;
     for (const Panel& one : panels_) {
-        if (one.title == watched) asked_ = one.panel;
+        if (one.panel == watched && event->type() == QEvent::Resize) {
+            one.button->setToolButtonStyle(one.panel->width() < kNarrow
+                                               ? Qt::ToolButtonIconOnly
+                                               : Qt::ToolButtonTextBesideIcon);
+        }
+        if (one.title != watched || event->type() != QEvent::MouseButtonDblClick) continue;
+        asked_ = one.panel;
+        alone_->toggle();
+        return true;
     }
-    alone_->toggle();
-    return true;
+    return false;
 }
 
 void ViewPanels::show_alone(bool alone) {

@@ -8,6 +8,7 @@
 class QAction;
 class QSettings;
 class QSplitter;
+class QToolButton;
 class QWidget;
 
 namespace hitos::window {
@@ -17,11 +18,12 @@ class ViewPanels final : public QObject {
 
   public:
     /// One of the views: its panel in the splitter, what is double-clicked to have it alone, and
-    /// itself.
+    /// itself; the button beside the title has words where the panel is wide enough for both.
     struct Panel {
         QWidget* panel = nullptr;
         QWidget* title = nullptr;
         QWidget* view = nullptr;
+        QToolButton* button = nullptr;
     };
     /// `alone` shows the view with the keyboard, else the last one, alone; `stacked` puts one above
     /// the other. Both are checkable.
