@@ -175,6 +175,7 @@ class Player final : public QObject {
         since_.restart();
         resting_.invalidate();
         (this->*verb->second.act)(step.rest);
+        since_.restart();  // a list that it opened has been there since now
     }
 
     /// Of the step that is being taken or waited for.

@@ -54,7 +54,13 @@ Spoken::~Spoken() {
     speak(*qApp, "en");
 }
 
+/// Asked again and again while somebody waits for the words, and then as fast as English.
 QStringList Spoken::said(const QString& words) const {
+    const auto known = found_.constFind(words);
+    return known != found_.cend() ? *known : *found_.insert(words, looked_up(words));
+}
+
+QStringList Spoken::looked_up(const QString& words) const {
     QStringList all;
     for (const auto& [english, other] : sentences_)
         if (as_read(english) == words) all << as_read(other);

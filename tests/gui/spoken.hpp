@@ -3,6 +3,7 @@
 // that it is written once; and the guide's pictures, which there are in each.
 #pragma once
 
+#include <QHash>
 #include <QList>
 #include <QString>
 #include <QStringList>
@@ -30,8 +31,10 @@ class Spoken {
     QString key(const QString& name) const;
 
   private:
+    QStringList looked_up(const QString& words) const;
     QStringList in_sentences(const QString& words) const;
 
+    mutable QHash<QString, QStringList> found_;
     QList<std::pair<QString, QString>> sentences_;  ///< English and other; & marks a letter
 };
 
