@@ -3,11 +3,13 @@
 // keyboard.
 
 #include <QAbstractTextDocumentLayout>
+#include <QDir>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPixmap>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QToolButton>
@@ -132,8 +134,13 @@ void GuideTest::it_opens_in_the_windows_language() {
         QVERIFY(!guide.page->toPlainText().contains("##"));
         const QList<PagePicture> pictures = pictures_of(*guide.page);
         QVERIFY(pictures.size() > 20);
-        for (const PagePicture& picture : pictures)
+        int english = 0;
+        for (const PagePicture& picture : pictures) {
             QVERIFY2(picture.there, qPrintable(picture.name));
+            english += picture.name.contains("/es/") ? 0 : 1;
+        }
+        // Each guide shows the other language once.
+        QCOMPARE(language == "en" ? pictures.size() - english : english, 1);
         // The anchors are those of the English guide.
         f.trigger("action_measurements_dock");
         f.window->findChild<QWidget*>("measurement_table")->setFocus();
@@ -150,6 +157,23 @@ void GuideTest::it_opens_in_the_windows_language() {
         QCOMPARE(f.prompts.warnings, QStringList());
     }
     QApplication::removeTranslator(&words);
+}
+
+void GuideTest::the_spanish_guide_has_pictures_of_its_own() {
+    const QDir pictures(Fixture::source_file("docs/pictures"));
+    static const QRegularExpression named(R"(pictures/(es/[\w-]+\.png))");
+    const QString guide =
+        QString::fromUtf8(Fixture::read(Fixture::source_file("docs/es/user-guide.md")));
+    int found = 0;
+    for (const QRegularExpressionMatch& match : named.globalMatch(guide)) {
+        const QString name = match.captured(1);
+        const QImage spanish(pictures.filePath(name));
+        const QImage english(pictures.filePath(name.section('/', 1)));
+        QVERIFY2(!spanish.isNull() && !english.isNull(), qPrintable(name));
+        QVERIFY2(spanish != english, qPrintable(name));
+        ++found;
+    }
+    QVERIFY(found > 25);
 }
 
 void GuideTest::what_is_searched_is_found_and_marked() {

@@ -211,6 +211,7 @@ class GuideTest : public QObject {
     void init();
     void it_opens_in_the_windows_language_data();
     void it_opens_in_the_windows_language();
+    void the_spanish_guide_has_pictures_of_its_own();
     void what_is_searched_is_found_and_marked();
     void the_contents_go_there_and_follow();
     void links_are_followed_and_back();
