@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/evaluation/distances.hpp"
@@ -52,7 +53,7 @@ struct LessonSeen {
     std::size_t ancestry = 0;  ///< scans of the past that all particles share
 };
 
-LessonSeen run(const Lesson& lesson, std::uint64_t seed, const Change& change,
+LessonSeen run(const Lesson& lesson, std::optional<std::uint64_t> seed, const Change& change,
                std::uint64_t tour_seed = 0) {
     Configuracion configuration = ArchivoConfiguracion::read(lesson.folder / change.configuration);
     EXPECT_EQ(std::filesystem::path(configuration.source.file), lesson.world);
@@ -236,6 +237,37 @@ TEST_F(Lessons, ABareCorridorHasNoLengthAndOneWithRecessesHas) {
               0.15);
     EXPECT_GT(median(bare, [](const LessonSeen& seen) { return seen.odometry_error_m.back(); }),
               1.0);
+}
+
+/// With the seed that comes with the lesson, as who opens it sees it.
+TEST_F(Lessons, TheirOwnRunsShowWhatTheyTell) {
+    const auto own = [&](int number, const Change& change = {}) {
+        return run(lesson(number), std::nullopt, change);
+    };
+    const auto length = [&](const LessonSeen& seen) {
+        const auto measured =
+            measure_distances(seen.map, read_distances(lesson(3).folder / "length.distances"));
+        return measured.front().error_m().value();
+    };
+    const LessonSeen bare = own(3);
+    EXPECT_NEAR(length(bare), 0.11, 0.02);
+    EXPECT_NEAR(length(own(3, {.world = "recesses.toml"})), 0.01, 0.02);
+    EXPECT_GT(bare.odometry_error_m.back(), 1.0);
+    const LessonSeen three = own(4, {.set = {"filter.particles=3"}});
+    EXPECT_GT(three.lines, 10);
+    EXPECT_GT(own(4).odometry_error_m.back(), 0.5);
+    const std::vector<std::string> few = {"filter.particles=20"};
+    const std::vector<std::string> sharp = {few.front(), "observation.var_rho=2.5e-5",
+                                            "observation.var_theta=5e-6"};
+    EXPECT_GT(own(6, {.set = sharp}).ate_m, 4.0 * own(6, {.set = few}).ate_m);
+    std::vector<std::string> nameless = ratios("0.71");
+    nameless.emplace_back("association.known=off");
+    const std::vector<std::string> loud = {"odometry.noise=1"};
+    const LessonSeen named = own(10, {.set = ratios("0.71"), .world_set = loud});
+    const LessonSeen unnamed = own(10, {.set = nameless, .world_set = loud});
+    EXPECT_EQ(named.corners, 8);
+    EXPECT_GT(unnamed.corners, 10);
+    EXPECT_GT(unnamed.ate_m, 3.0 * named.ate_m);
 }
 
 TEST_F(Lessons, ALoopThatIsClosedTakesTheErrorAway) {
