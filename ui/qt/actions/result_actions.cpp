@@ -272,14 +272,18 @@ void ResultActions::ask_for_results() {
          true});
     results_folder_ = folder;
     if (folder.isEmpty()) return;
-    if (const auto name = somebodys_file(folder.toStdString(), {})) {
-        tell_not_written(prompts_, window_,
-                         tr("%1 is in that folder and of no run: it would be written over. Choose "
-                            "another folder.")
-                             .arg(QString::fromStdString(*name)));
-        return ask_for_results();
+    QString problem;
+    try {
+        if (const auto name = somebodys_file(folder.toStdString(), {}))
+            problem = tr("%1 is in that folder and of no run: it would be written over. Choose "
+                         "another folder.")
+                          .arg(QString::fromStdString(*name));
+    } catch (const Error& error) {
+        problem = words_of(error);
     }
-    write_results_to(folder);
+    if (problem.isEmpty()) return write_results_to(folder);
+    tell_not_written(prompts_, window_, problem);
+    ask_for_results();
 }
 
 /// Pictures of a great map take a second: they are written on the run's thread, and the window is
