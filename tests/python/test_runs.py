@@ -103,6 +103,15 @@ class Runs(unittest.TestCase):
             self.assertFalse((folder / "none" / "map.svg").exists())
             self.assertLess(names, {path.name for path in (folder / "all").iterdir()})
 
+    def test_files_of_no_run_are_not_written_over(self):
+        with tempfile.TemporaryDirectory() as name:
+            out = pathlib.Path(name)
+            (out / "map.txt").write_text("mine")
+            with self.assertRaisesRegex(hitos.FileError, "holds map.txt, which is of no run"):
+                hitos.run("corridor", FEW, out=out)
+            self.assertEqual([path.name for path in out.iterdir()], ["map.txt"])
+            self.assertEqual((out / "map.txt").read_text(), "mine")
+
     def test_further_files_that_there_are_not_are_refused(self):
         with tempfile.TemporaryDirectory() as name:
             out = pathlib.Path(name, "out")
