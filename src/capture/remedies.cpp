@@ -155,4 +155,9 @@ Message advice_of(const TourFinding& finding) {
     return all;
 }
 
+Message sentence_of(const TourFinding& finding) {
+    const Message advice = advice_of(finding);
+    return advice.empty() ? finding.what : message("%1; %2", finding.what, advice);
+}
+
 }  // namespace hitos

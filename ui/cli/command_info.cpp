@@ -137,7 +137,7 @@ void tell(const std::string& source, const SourceInspection& found, Report& repo
 
 /// Returns how many findings there are.
 std::size_t tell_findings(const TourSummary& tour, Report& report) {
-    for (const TourFinding& finding : tour.findings) report.warn(words_of(finding));
+    for (const TourFinding& finding : tour.findings) report.warn(sentence_of(finding).english());
     report.object()["findings"] = parsed_object(to_json(tour.findings));
     return tour.findings.size();
 }

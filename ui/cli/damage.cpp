@@ -44,10 +44,4 @@ std::string damage_text(const ReadReport& report) {
     return text;
 }
 
-std::string words_of(const TourFinding& finding) {
-    const std::string advice = advice_of(finding).english();
-    return advice.empty() ? finding.what.english()
-                          : fmt::format("{}; {}", finding.what.english(), advice);
-}
-
 }  // namespace hitos::cli

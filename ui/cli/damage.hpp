@@ -4,15 +4,11 @@
 
 #include <string>
 
-#include "hitos/capture/tour_examination.hpp"
 #include "hitos/capture/tour_reader.hpp"
 
 namespace hitos::cli {
 
 /// A line for each kind of damage; empty where there is none.
 std::string damage_text(const ReadReport& report);
-
-/// What was found and what to do, in one line.
-std::string words_of(const TourFinding& finding);
 
 }  // namespace hitos::cli

@@ -179,7 +179,8 @@ void LiveRun::tell_news(ProgressLine& line) {
 
 void LiveRun::look(RunWorker& worker, ProgressLine& line) {
     tell_news(line);
-    for (const TourFinding& finding : doubts_.look(worker)) line.say(words_of(finding));
+    for (const TourFinding& finding : doubts_.look(worker))
+        line.say(sentence_of(finding).english());
 }
 
 std::optional<double> LiveRun::behind_s() const {

@@ -120,7 +120,8 @@ void tell_summary(const RunSummary& summary, const std::string& folder, const Re
         }
     }
     if (summary.quality.findings) {
-        for (const TourFinding& finding : *summary.quality.findings) report.warn(words_of(finding));
+        for (const TourFinding& finding : *summary.quality.findings)
+            report.warn(sentence_of(finding).english());
     }
     for (const Advice& warning : summary.quality.warnings) {
         report.warn(warning.words());

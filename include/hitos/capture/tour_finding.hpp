@@ -83,6 +83,8 @@ struct TourFinding {
 std::string options_of(const std::vector<SourceSetting>& settings);
 /// All remedies with their options, in one line.
 Message advice_of(const TourFinding& finding);
+/// What was found and what to do, in one line.
+Message sentence_of(const TourFinding& finding);
 
 /// The word of a kind, for programs: "scan-delay".
 std::string_view word_of(TourFinding::Kind kind);

@@ -70,6 +70,14 @@ bool read_summary(const std::filesystem::path& folder, KeptRun& run) {
     });
 }
 
+/// Changes by hand are the same with and without the stamps and marks of their scans.
+bool same_value(const ConfigParameter& parameter, const Configuracion& a, const Configuracion& b) {
+    if (parameter.get(a) == parameter.get(b)) return true;
+    return parameter.key == kGraphEditsKey &&
+           std::ranges::equal(parse_graph_edits(a.registration.edits),
+                              parse_graph_edits(b.registration.edits), same_change);
+}
+
 }  // namespace
 
 KeptRun read_results(const std::filesystem::path& folder) {
@@ -101,18 +109,6 @@ bool same_log(const Configuracion& a, const Configuracion& b) {
     return std::filesystem::weakly_canonical(a.source.file, none) ==
            std::filesystem::weakly_canonical(b.source.file, none);
 }
-
-namespace {
-
-/// Changes by hand are the same with and without the stamps and marks of their scans.
-bool same_value(const ConfigParameter& parameter, const Configuracion& a, const Configuracion& b) {
-    if (parameter.get(a) == parameter.get(b)) return true;
-    return parameter.key == kGraphEditsKey &&
-           std::ranges::equal(parse_graph_edits(a.registration.edits),
-                              parse_graph_edits(b.registration.edits), same_change);
-}
-
-}  // namespace
 
 std::vector<const ConfigParameter*> differences(const Configuracion& a, const Configuracion& b) {
     std::vector<const ConfigParameter*> found;

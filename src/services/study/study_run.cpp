@@ -75,10 +75,8 @@ std::vector<Message> doubts_of_tour(const Algoritmo& run) {
     std::vector<TourFinding> found = run.reader().findings();
     if (run.examination() != nullptr) found = run.examination()->findings(std::move(found));
     std::vector<Message> doubts;
-    for (const TourFinding& finding : found) {
-        const Message advice = advice_of(finding);
-        doubts.push_back(advice.empty() ? finding.what : message("%1; %2", finding.what, advice));
-    }
+    doubts.reserve(found.size());
+    for (const TourFinding& finding : found) doubts.push_back(sentence_of(finding));
     return doubts;
 }
 
