@@ -47,13 +47,21 @@ std::string paths_script(const PathsPicture& picture) {
 Trajectory in_frame_of_run(const Trajectory& reference, const Trajectory& run,
                            const std::optional<Pose>& pose_reference_run) {
     if (reference.empty() || run.empty()) return {};
-    const double begin = run.front().time_s;
-    const auto first = std::ranges::min_element(
-        reference, {}, [&](const StampedPose& pose) { return std::abs(pose.time_s - begin); });
-    if (!(std::abs(first->time_s - begin) <= kSlack)) return {};
+    const auto nearest = [&](const StampedPose& own) {
+        return std::ranges::min_element(reference, {}, [&](const StampedPose& pose) {
+            return std::abs(pose.time_s - own.time_s);
+        });
+    };
+    // Of several tours, one behind the other, it may be the truth of a later one alone.
+    const auto begins = std::ranges::find_if(run, [&](const StampedPose& own) {
+        const bool first = &own == &run.front();
+        return (first || own.begins) && std::abs(nearest(own)->time_s - own.time_s) <= kSlack;
+    });
+    if (begins == run.end()) return {};
+    const auto first = nearest(*begins);
     const Pose pose_run_reference = pose_reference_run
                                         ? inverse(*pose_reference_run)
-                                        : compose(run.front().pose, inverse(first->pose));
+                                        : compose(begins->pose, inverse(first->pose));
     Trajectory moved;
     for (const StampedPose& stamped : reference) {
         if (stamped.time_s < first->time_s || stamped.time_s > run.back().time_s + kSlack) continue;

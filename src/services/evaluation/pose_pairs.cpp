@@ -18,7 +18,8 @@ std::vector<double> steps_of(const Trajectory& trajectory, PairSpacing::By by) {
         const StampedPose& b = trajectory[i];
         const double dx = b.pose.x - a.pose.x;
         const double dy = b.pose.y - a.pose.y;
-        steps.push_back(by == PairSpacing::By::time ? b.time_s - a.time_s
+        // Between two tours no time of a tour passes.
+        steps.push_back(by == PairSpacing::By::time ? (b.begins ? 0.0 : b.time_s - a.time_s)
                                                     : std::sqrt(dx * dx + dy * dy));
     }
     return steps;

@@ -15,6 +15,7 @@
 #include "hitos/base/rounding.hpp"
 #include "hitos/base/text_input.hpp"
 #include "hitos/capture/mrclam.hpp"
+#include "hitos/services/files/tour_time.hpp"
 
 namespace hitos {
 namespace {
@@ -124,7 +125,7 @@ double unit_by_speed(const Trajectory& trajectory) {
             std::hypot(trajectory[i].pose.x - before.pose.x, trajectory[i].pose.y - before.pose.y);
     }
     const double step = median(steps);
-    const double speed = way_m / (trajectory.back().time_s - trajectory.front().time_s);
+    const double speed = way_m / tour_duration_s(trajectory);
     if (!(step >= kApart) || way_m < kLeastWay || !(speed > 0.0 && speed < kCreeping)) return 1.0;
     const auto unlike = [&](double unit) { return std::abs(std::log(speed * unit / kUsual)); };
     double best = 1.0;

@@ -14,6 +14,7 @@
 #include "base64.hpp"
 #include "files/map_shapes.hpp"
 #include "hitos/base/error.hpp"
+#include "hitos/services/files/tour_time.hpp"
 
 namespace hitos::live {
 namespace {
@@ -192,7 +193,7 @@ std::string run_message(const LiveState& state) {
                     std::ssize(snapshot.best_map) - lines, snapshot.hypotheses.size());
     if (!snapshot.best_trajectory.empty()) {
         const auto& path = snapshot.best_trajectory;
-        text += fmt::format(R"(,"tour_s":{:.3f})", path.back().time_s - path.front().time_s);
+        text += fmt::format(R"(,"tour_s":{:.3f})", tour_duration_s(path));
     }
     if (state.behind_s) text += fmt::format(R"(,"behind_s":{:.3f})", *state.behind_s);
     return text + "}";

@@ -4,9 +4,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <span>
 
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/services/evaluation/nees.hpp"
+#include "hitos/services/files/tour_time.hpp"
 
 namespace hitos {
 namespace {
@@ -58,7 +60,7 @@ StepFigures figures_of(const Algoritmo& run, double step_seconds) {
     }
     if (unseen > 0) {
         const Trajectory& path = run.online_trajectory();
-        figures.unseen_s = path.back().time_s - path[path.size() - 1 - unseen].time_s;
+        figures.unseen_s = tour_duration_s(std::span(path).last(unseen + 1));
     }
     figures.skipped = run.report().skipped;
     figures.resampled = statistics.resampled;

@@ -4,7 +4,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "hitos/services/files/tour_time.hpp"
 #include "look/words_of.hpp"
 
 namespace hitos::window {
@@ -41,7 +43,7 @@ QString scan_words(const Snapshot& snapshot, std::uint32_t scan) {
     if (scan >= path.size()) return {};
     return LandmarkModel::tr("%1 (%2 s)")
         .arg(scan + 1)
-        .arg(path[scan].time_s - path.front().time_s, 0, 'f', 1);
+        .arg(tour_duration_s(std::span(path).first(scan + 1)), 0, 'f', 1);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include <limits>
 #include <utility>
 
+#include "hitos/services/files/tour_time.hpp"
 #include "look/words_of.hpp"
 #include "run_list.hpp"
 #include "views/plot_style.hpp"
@@ -62,6 +63,8 @@ PathFigures path_figures(const Trajectory& path, const Trajectory& reference, bo
                                          : first_alignment(path, reference);
     if (!laid) return figures;
     const Pose pose_estimate_reference = inverse(*laid);
+    const std::vector<double> seconds = tour_seconds(path);
+    for (PathError& error : figures.errors) error.time_s = figures.begin_s + seconds[error.pose];
     figures.reference.reserve(reference.size());
     for (const StampedPose& stamped : reference) {
         const Pose pose = compose(pose_estimate_reference, stamped.pose);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hitos/services/evaluation/reference_fit.hpp"
+#include "hitos/services/files/tour_time.hpp"
 #include "session/background.hpp"
 
 namespace hitos::window {
@@ -16,7 +17,7 @@ constexpr int kLeastMs = 330;
 ErrorPoint point(const Trajectory& path, const std::optional<MapError>& map,
                  const std::optional<TrajectoryError>& trajectory) {
     ErrorPoint point;
-    if (!path.empty()) point.time_s = path.back().time_s - path.front().time_s;
+    point.time_s = tour_duration_s(path);
     if (map) point.map_m = map->mean_m;
     if (trajectory) point.trajectory_m = trajectory->rmse_m;
     return point;

@@ -27,8 +27,9 @@ struct PathsPicture {
 /// The part of a reference trajectory that belongs to a run, moved so that both begin alike: its
 /// pose at the stamp nearest to the run's first becomes the run's first pose. The frame of the map
 /// is fixed by that pose, while a reference may have any. Empty where no stamp is within 0.5 s of
-/// the first. `pose_reference_run`, where given, says instead how the frames lie: an error of the
-/// first heading would move a long tour's far end by metres.
+/// the first. Of a run of several tours the first of these that it has counts.
+/// `pose_reference_run`, where given, says instead how the frames lie: an error of the first
+/// heading would move a long tour's far end by metres.
 Trajectory in_frame_of_run(const Trajectory& reference, const Trajectory& run,
                            const std::optional<Pose>& pose_reference_run = std::nullopt);
 

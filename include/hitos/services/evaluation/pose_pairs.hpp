@@ -13,7 +13,7 @@ namespace hitos {
 struct PairSpacing {
     enum class By { distance, time };
     By by = By::distance;
-    double length = 1.0;  ///< > 0; of the way between them [m] or of the time [s]
+    double length = 1.0;  ///< > 0; of the way between them [m] or of tour_seconds()
     /// Share of the length that a pair may miss it by; for overlapping pairs.
     double tolerance = 0.1;
     /// Pairs one after the other, else one that begins at every pose.

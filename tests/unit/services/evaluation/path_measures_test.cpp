@@ -12,15 +12,18 @@
 #include "hitos/services/evaluation/position_error.hpp"
 #include "hitos/services/evaluation/relations.hpp"
 #include "hitos/services/evaluation/relative_error.hpp"
+#include "hitos/services/files/tour_time.hpp"
 #include "support.hpp"
 
 namespace hitos {
 namespace {
 
 using test::message_of;
+using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Pointwise;
 using By = PairSpacing::By;
 
 constexpr double kToday = 1.7e9;  // [s] stamps count from 1970
@@ -83,6 +86,19 @@ TEST(PosePairs, ConsecutiveBeginWhereTheWayFirstReachesTheLength) {
     const Trajectory rest = along_x(std::vector<double>(41, 0.0));
     EXPECT_THAT(pose_pairs(rest, {By::time, 1.0, 0.1, true}),
                 ElementsAre(PosePair{10, 20}, PosePair{20, 30}, PosePair{30, 40}));
+}
+
+TEST(PosePairs, NoTimeOfATourPassesBetweenTwo) {
+    Trajectory path = along_x({0.0, 1.0, 2.0, 3.0, 4.0});
+    const PairSpacing spacing{.by = By::time, .length = 0.2, .consecutive = true};
+    const auto pairs = pose_pairs(path, spacing);
+    EXPECT_THAT(pairs, ElementsAre(PosePair{2, 4}));
+    for (std::size_t i : {3U, 4U}) path[i].time_s += 1e5;
+    path[3].begins = true;
+    EXPECT_THAT(pose_pairs(path, spacing), IsEmpty());
+    EXPECT_NEAR(tour_duration_s(path), 0.3, 1e-6);
+    EXPECT_THAT(tour_seconds(path), Pointwise(DoubleNear(1e-4), {0.0, 0.1, 0.2, 0.2, 0.3}));
+    EXPECT_EQ(tour_duration_s({}), 0.0);
 }
 
 TEST(PosePairs, AreNoneWhereThereAreNone) {

@@ -35,6 +35,11 @@ TEST(InFrameOfRun, MovesTheReferenceToTheRunsFirstPose) {
     EXPECT_NEAR(later[0].pose.x, 1.0, 1e-12);
     EXPECT_NEAR(later[1].pose.x, -1.0, 1e-12);
     EXPECT_NEAR(later[1].pose.y, 0.5, 1e-12);
+    // A run behind another one, of which the reference does not tell.
+    const Trajectory second =
+        in_frame_of_run(reference, {{-9000.0, {}}, {10.0, {3.0, 0.0, 0.0}, true}, {11.0, {}}});
+    ASSERT_EQ(second.size(), 2U);
+    EXPECT_NEAR(second[0].pose.x, 3.0, 1e-12);
     EXPECT_TRUE(in_frame_of_run(reference, {{20.0, {}}}).empty());
     EXPECT_TRUE(in_frame_of_run({}, run).empty());
     EXPECT_TRUE(in_frame_of_run(reference, {}).empty());
