@@ -48,9 +48,10 @@ std::optional<MapError> error_of(std::span<const MapPair> pairs, const LandmarkM
     error.reference_landmarks = static_cast<int>(reference.size());
     std::vector<char> found(reference.size(), 0);
     double sum = 0.0;
+    const bool identities = have_identities(map, reference);
     for (const MapPair& pair : pairs) {
         ++(map[pair.landmark].kind() == FeatureKind::line ? error.lines : error.corners);
-        found[pair.reference] = 1;
+        if (identities || pair.distance_m <= kSameLandmark) found[pair.reference] = 1;
         sum += pair.distance_m;
         error.maximum_m = std::max(error.maximum_m, pair.distance_m);
     }

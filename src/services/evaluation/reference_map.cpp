@@ -7,16 +7,16 @@
 #include <cmath>
 #include <cstddef>
 #include <variant>
+#include <vector>
 
 #include "hitos/base/geometry.hpp"
 #include "hitos/base/translatable.hpp"
 #include "hitos/services/evaluation/reference_fit.hpp"
+#include "length_units.hpp"
 
 namespace hitos {
 namespace {
 
-// [m] A landmark further away is none of the reference's; docs/evaluation.md has errors of maps.
-constexpr double kReach = 1.0;
 constexpr std::size_t kFewLandmarks = 10;  // of these a few may be new, or false
 
 /// How many landmarks, of those of a kind that the reference has, lie near one of it.
@@ -42,7 +42,7 @@ Near near_of(const LandmarkMap& map, const LandmarkMap& reference) {
         const auto error = map_error({transform(pose, landmark)}, reference);
         if (!error) continue;
         ++found.all;
-        if (error->mean_m <= kReach) ++found.near;
+        if (error->mean_m <= kSameLandmark) ++found.near;
     }
     return found;
 }
@@ -56,21 +56,17 @@ struct Reading {
     std::string_view said;
     Recta (*line)(const Recta&);
     Esquina (*corner)(const Esquina&);
+    double per_metre = 1.0;  ///< before that
 };
 
-template <int milli>
-constexpr Recta smaller(const Recta& line) {
-    return {line.rho * milli / 1000.0, line.theta};
-}
-template <int milli>
-constexpr Esquina smaller(const Esquina& corner) {
-    return {corner.x * milli / 1000.0, corner.y * milli / 1000.0};
+Recta line_as_it_is(const Recta& line) {
+    return line;
 }
 Esquina as_it_is(const Esquina& corner) {
     return corner;
 }
 
-constexpr std::array kReadings{
+constexpr std::array kOtherReadings{
     Reading{HITOS_TEXT("Advice",
                        "The reference map has its angles in radians, where degrees are expected: "
                        "%1 of the landmarks lie within a metre of one of it as it is."),
@@ -87,14 +83,6 @@ constexpr std::array kReadings{
                 return normal_form(rho, (turned ? -line.rho : line.rho) / kDegreesPerRadian);
             },
             &as_it_is},
-    Reading{HITOS_TEXT("Advice",
-                       "The reference map is in millimetres, where metres are expected: %1 of the "
-                       "landmarks lie within a metre of one of it as it is."),
-            &smaller<1>, &smaller<1>},
-    Reading{HITOS_TEXT("Advice",
-                       "The reference map is in centimetres, where metres are expected: %1 of the "
-                       "landmarks lie within a metre of one of it as it is."),
-            &smaller<10>, &smaller<10>},
     Reading{HITOS_TEXT("Advice",
                        "The reference map is a mirror image, as where its y axis points the other "
                        "way: %1 of the landmarks lie within a metre of one of it as it is."),
@@ -117,13 +105,23 @@ constexpr std::array kReadings{
                 return Esquina{corner.y, corner.x};
             }}};
 
+std::vector<Reading> readings() {
+    std::vector<Reading> all;
+    for (const LengthUnit& unit : kLengthUnits)
+        all.push_back({unit.of_map, &line_as_it_is, &as_it_is, unit.per_metre});
+    all.insert(all.end(), kOtherReadings.begin(), kOtherReadings.end());
+    return all;
+}
+
 LandmarkMap read_as(const LandmarkMap& map, const Reading& reading) {
     LandmarkMap out = map;
     for (ICaracteristica& landmark : out) {
         if (const auto* line = std::get_if<Recta>(&landmark.value)) {
-            landmark.value = reading.line(*line);
+            landmark.value = reading.line({line->rho / reading.per_metre, line->theta});
         } else {
-            landmark.value = reading.corner(std::get<Esquina>(landmark.value));
+            const auto& corner = std::get<Esquina>(landmark.value);
+            landmark.value =
+                reading.corner({corner.x / reading.per_metre, corner.y / reading.per_metre});
         }
     }
     return out;
@@ -137,7 +135,7 @@ std::optional<Advice> doubt_of_map(const LandmarkMap& map, const LandmarkMap& re
     if (found.half() && (found.most() || found.all < kFewLandmarks)) return std::nullopt;
     const std::string figure =
         fmt::format("{}/{}", found.near, found.all > 0 ? found.all : map.size());
-    for (const Reading& reading : kReadings) {
+    for (const Reading& reading : readings()) {
         const Near otherwise = near_of(map, read_as(reference, reading));
         if (otherwise.most() && otherwise.near > found.near)
             return Advice{reading.said, figure, {}};

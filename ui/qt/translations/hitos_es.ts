@@ -187,6 +187,26 @@
         <source>Solved, the edges are %1 times as far off as their information says: are their numbers metres and radians, and the information the inverse of their covariance? Or are some of them false?</source>
         <translation>Resuelto, las aristas se apartan %1 veces lo que dice su información: ¿son sus números metros y radianes, y la información la inversa de su covarianza? ¿O son falsas algunas?</translation>
     </message>
+    <message>
+        <source>The reference map is in feet, where metres are expected: %1 of the landmarks lie within a metre of one of it as it is.</source>
+        <translation>El mapa de referencia está en pies, y se esperan metros: %1 de los hitos están a menos de un metro de uno suyo tal como es.</translation>
+    </message>
+    <message>
+        <source>The reference trajectory fits the path where its stamps are taken %1 later: its clock is behind that of the scans. Add them to its stamps; errors against it as it is are none of the path&apos;s.</source>
+        <translation>La trayectoria de referencia se ajusta al camino si sus marcas de tiempo se toman %1 más tarde: su reloj va atrasado respecto al de los barridos. Súmelos a sus marcas; los errores respecto a ella tal como está no son del camino.</translation>
+    </message>
+    <message>
+        <source>The reference trajectory fits the path where its stamps are taken %1 earlier: its clock is ahead of that of the scans. Subtract them from its stamps; errors against it as it is are none of the path&apos;s.</source>
+        <translation>La trayectoria de referencia se ajusta al camino si sus marcas de tiempo se toman %1 antes: su reloj va adelantado respecto al de los barridos. Réstelos de sus marcas; los errores respecto a ella tal como está no son del camino.</translation>
+    </message>
+    <message>
+        <source>The reference trajectory has no headings: its poses all look the same way where the path makes %1 turns. Errors of headings, relative errors and which loops are false are left out; the ATE is of positions alone, and stands.</source>
+        <translation>La trayectoria de referencia no tiene orientaciones: todas sus poses miran hacia el mismo lado donde el camino hace %1 giros. Se omiten los errores de orientación, los errores relativos y qué bucles son falsos; el ATE es solo de posiciones, y vale.</translation>
+    </message>
+    <message>
+        <source>The headings of the reference trajectory are none of this path: %1 of its turns are not theirs. Errors of headings, relative errors and which loops are false are left out; the ATE is of positions alone, and stands.</source>
+        <translation>Las orientaciones de la trayectoria de referencia no son las de este camino: %1 de sus giros no están en ellas. Se omiten los errores de orientación, los errores relativos y qué bucles son falsos; el ATE es solo de posiciones, y vale.</translation>
+    </message>
 </context>
 <context>
     <name>Associations</name>

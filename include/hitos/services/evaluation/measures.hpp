@@ -13,6 +13,11 @@ namespace hitos {
 /// nothing else is asked for.
 inline constexpr double kSameStamp = 0.02;
 
+/// A landmark further away than this from all of a reference map is none of these [m]: ten
+/// times a wall's error, and less than the way from one to the next; docs/evaluation.md has errors
+/// of maps.
+inline constexpr double kSameLandmark = 1.0;
+
 /// Errors of a landmark map against a reference map.
 struct MapError {
     double mean_m = 0.0;  ///< [T 10.3]: mean over the landmarks of the distance to the nearest
@@ -23,7 +28,9 @@ struct MapError {
     int corners = 0;
     int without_reference = 0;  ///< landmarks of a kind that the reference lacks; not in the mean
     int reference_landmarks = 0;
-    int reference_found = 0;  ///< reference landmarks that are the nearest of some landmark
+    /// Reference landmarks that are the nearest of some landmark within kSameLandmark; or of one of
+    /// the same identity, however far.
+    int reference_found = 0;
 };
 
 /// Whether both maps say which landmarks they hold (ICaracteristica::identity).

@@ -43,8 +43,8 @@ ReferenceFit fit_of_reference(const TourReader& tour, const Trajectory& referenc
 
 /// What there is to doubt of a reference map: less than half of the run's landmarks (of ten and
 /// more less than four fifths) lie near one of it, or none is of a kind that it has. It is told
-/// where they do once its angles are radians, its columns change places, it is in millimetres or
-/// centimetres or a mirror image. Nothing where the run has no landmark.
+/// where they do once its angles are radians, its columns change places, it is in millimetres,
+/// centimetres or feet, or a mirror image. Nothing where the run has no landmark.
 std::optional<Advice> doubt_of_map(const LandmarkMap& map, const LandmarkMap& reference);
 
 }  // namespace hitos

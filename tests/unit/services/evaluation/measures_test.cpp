@@ -85,7 +85,8 @@ TEST(MapError, IsTheMeanDistanceToTheNearestOfTheSameKind) {
     EXPECT_EQ(error.corners, 2);
     EXPECT_EQ(error.without_reference, 0);
     EXPECT_EQ(error.reference_landmarks, 3);
-    EXPECT_EQ(error.reference_found, 2);  // nothing is near the second line
+    // Nothing is within a metre of the second line, nor of the corner.
+    EXPECT_EQ(error.reference_found, 1);
 }
 
 TEST(MapError, LinesAreComparedByTheirFeet) {

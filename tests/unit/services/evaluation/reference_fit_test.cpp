@@ -238,3 +238,11 @@ TEST_F(ReferenceFilesTest, GoWhereTheyBelong) {
 
 }  // namespace
 }  // namespace hitos
+    EXPECT_THAT(change(
+                    [](Recta wall) {
+                        return Recta{wall.rho / 0.3048, wall.theta};
+                    },
+                    [](Esquina at) {
+                        return Esquina{at.x / 0.3048, at.y / 0.3048};
+                    }),
+                HasSubstr("is in feet"));
