@@ -280,7 +280,7 @@ void RunsTest::figures_are_those_of_the_services() {
     const QString said = strip->findChild<QLabel*>("figures_1")->text();
     for (const QString& figure :
          {metre_words(whole->rmse_m), metre_words(whole->mean_m), metre_words(whole->maximum_m),
-          degree_words(whole->heading_rmse_rad), metre_words(relative->translation_m.rmse),
+          degree_words(whole->heading_rmse_rad.value()), metre_words(relative->translation_m.rmse),
           degree_words(relative->rotation_rad.rmse), QString("80")}) {
         QVERIFY2(said.contains(figure), qPrintable(said + " lacks " + figure));
     }

@@ -99,9 +99,9 @@ void evaluate_trajectory(const EvaluateOptions& options, Report& report) {
     report.figure("ate_rmse_m", error->rmse_m, 6);
     report.figure("ate_mean_m", error->mean_m, 6);
     report.figure("ate_maximum_m", error->maximum_m, 6);
-    report.figure("heading_rmse_rad", error->heading_rmse_rad, 6);
+    if (error->heading_rmse_rad) report.figure("heading_rmse_rad", *error->heading_rmse_rad, 6);
     report.count("poses", error->poses);
-    if (const auto doubt = fit.doubt()) report.warn(doubt->words());
+    for (const Advice& doubt : fit.doubts()) report.warn(doubt.words());
 }
 
 constexpr int kErrorDecimals = 9;  // as evo prints them
@@ -141,8 +141,10 @@ void evaluate_relative(const EvaluateOptions& options, PairSpacing::By by, doubl
     spacing.by = by;
     spacing.length = length;
     const Trajectory estimate = read_trajectory(options.trajectory);
-    const auto error = relative_error(estimate, read_trajectory(options.reference_trajectory),
-                                      spacing, options.tolerance_s);
+    const Trajectory reference = read_trajectory(options.reference_trajectory);
+    const auto error = relative_error(estimate, reference, spacing, options.tolerance_s);
+    const auto whole = trajectory_error(estimate, reference, options.tolerance_s);
+    if (!error && whole && !whole->heading_rmse_rad) return;  // as was said
     if (!error) {
         throw FormatError(options.trajectory, 0,
                           verbatim(fmt::format("has no two poses, both with one of the reference, "
@@ -197,7 +199,7 @@ void evaluate_loops(const EvaluateOptions& options, Report& report) {
     KeptRun run = read_results(options.run);
     if (!needs_registration(run.configuration.filter)) return;
     const Trajectory reference = read_trajectory(options.reference_trajectory);
-    if (!doubt_of_shape(run.path, reference, options.tolerance_s))
+    if (fit_of_path(run.path, reference, options.tolerance_s).judges_loops())
         judge_loops(run.loops, reference, options.tolerance_s);
     const LoopPrecision precision = precision_of(run.loops);
     report.count("loops_judged", precision.judged);

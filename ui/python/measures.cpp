@@ -25,7 +25,7 @@ std::optional<TrajectoryError> error_of(const py::object& estimate, const py::ob
     const auto [fit, error] = without_python([&] {
         return std::pair(fit_of_reference(a, b, tolerance), trajectory_error(a, b, tolerance));
     });
-    tell(fit.doubt());
+    for (const Advice& doubt : fit.doubts()) tell(doubt);
     return error;
 }
 
@@ -68,9 +68,8 @@ References references_of(const std::optional<path>& map, const py::object& traje
     return references;
 }
 
-void tell(const std::optional<Advice>& doubt) {
-    if (!doubt) return;
-    if (PyErr_WarnEx(PyExc_UserWarning, doubt->words().c_str(), 1) != 0)
+void tell(const Advice& doubt) {
+    if (PyErr_WarnEx(PyExc_UserWarning, doubt.words().c_str(), 1) != 0)
         throw py::error_already_set();
 }
 
@@ -80,8 +79,10 @@ void bind_measures(py::module_& module) {
                       "ATE: root mean square distance after alignment [m].")
         .def_readonly("mean", &TrajectoryError::mean_m, "Mean distance [m].")
         .def_readonly("maximum", &TrajectoryError::maximum_m, "Greatest distance [m].")
-        .def_readonly("heading_rmse", &TrajectoryError::heading_rmse_rad,
-                      "Root mean square difference of headings [rad].")
+        .def_readonly(
+            "heading_rmse", &TrajectoryError::heading_rmse_rad,
+            "Root mean square difference of headings [rad]; None where the reference has no "
+            "headings.")
         .def_readonly("poses", &TrajectoryError::poses, "Pairs of poses compared.")
         .def("__repr__", [](const TrajectoryError& e) {
             return fmt::format("<TrajectoryError: {:.4f} m over {} poses>", e.rmse_m, e.poses);
@@ -93,7 +94,8 @@ t, x, y, theta, after the best rigid alignment (docs/evaluation.md). Between pos
 reference that are no more than 0.5 s apart, or twice `tolerance`, it is interpolated; elsewhere
 stamps have to agree within `tolerance` seconds. Error where the reference is of another time: fewer
 than three poses have one of it, both share less than a tenth of the path's time, or stamps agree by
-chance alone; a UserWarning where it tells of less than half of the poses.)");
+chance alone; a UserWarning where it tells of less than half of the poses, has another clock, shape or size, or has no
+headings.)");
     define(module, "read_trajectory", &read, py::arg("path"),
            "Reads a trajectory in TUM format, plain or gzip: N x 4 of t, x, y, theta.");
 }

@@ -17,6 +17,6 @@ References references_of(const std::optional<std::filesystem::path>& map,
                          const std::optional<std::filesystem::path>& distances = {});
 
 /// Warns in Python's way.
-void tell(const std::optional<Advice>& doubt);
+void tell(const Advice& doubt);
 
 }  // namespace hitos::python

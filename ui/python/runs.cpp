@@ -72,17 +72,17 @@ Run::Run(Configuracion configuration, References references, bool uncertainty)
       inputs_(without_python([&] { return InputFiles(tour_files(configuration_.source)); })) {
     AlgoritmoOptions options;
     options.uncertainty = uncertainty;
-    std::optional<Advice> doubt;
+    std::vector<Advice> doubts;
     worker_ = ended_without_python(without_python([&] {
         std::unique_ptr<TourReader> reader = open_tour(configuration_);
         if (references_.trajectory) {
-            doubt =
-                fit_of_reference(*reader, *references_.trajectory, references_.tolerance_s).doubt();
+            doubts = fit_of_reference(*reader, *references_.trajectory, references_.tolerance_s)
+                         .doubts();
         }
         add_truth(references_, reader->truth());
         return std::make_unique<RunWorker>(configuration_, std::move(reader), options);
     }));
-    tell(doubt);
+    for (const Advice& doubt : doubts) tell(doubt);
 }
 
 Progress Run::progress() const {

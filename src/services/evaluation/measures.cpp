@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "nearest_landmark.hpp"
+#include "reference_doubts.hpp"
 #include "stamp_pairs.hpp"
 
 namespace hitos {
@@ -47,8 +48,8 @@ std::optional<MapError> error_of(std::span<const MapPair> pairs, const LandmarkM
     error.without_reference = static_cast<int>(map.size() - pairs.size());
     error.reference_landmarks = static_cast<int>(reference.size());
     std::vector<char> found(reference.size(), 0);
-    double sum = 0.0;
     const bool identities = have_identities(map, reference);
+    double sum = 0.0;
     for (const MapPair& pair : pairs) {
         ++(map[pair.landmark].kind() == FeatureKind::line ? error.lines : error.corners);
         if (identities || pair.distance_m <= kSameLandmark) found[pair.reference] = 1;
@@ -258,7 +259,8 @@ std::optional<TrajectoryError> trajectory_error(const Trajectory& estimate,
         heading_squares += turn * turn;
     }
     error.rmse_m = std::sqrt(squares / error.poses);
-    error.heading_rmse_rad = std::sqrt(heading_squares / error.poses);
+    if (fit_of_headings(estimate, pairs).told())
+        error.heading_rmse_rad = std::sqrt(heading_squares / error.poses);
     return error;
 }
 

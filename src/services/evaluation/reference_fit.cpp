@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/translatable.hpp"
 #include "hitos/capture/tour_reader.hpp"
+#include "reference_doubts.hpp"
 #include "stamp_pairs.hpp"
 
 namespace hitos {
@@ -21,7 +23,7 @@ constexpr double kByChance = 0.1;    // of the stamps of two clocks some agree,
 constexpr std::size_t kFew = 10;     // but not many
 
 /// The earliest and the latest stamp [s]; whoever calls has one that is finite.
-std::pair<double, double> times_of(const Trajectory& path) {
+std::pair<double, double> times_of(std::span<const StampedPose> path) {
     std::pair<double, double> times{INFINITY, -INFINITY};
     for (const StampedPose& pose : path) {
         if (!std::isfinite(pose.time_s)) continue;
@@ -31,26 +33,89 @@ std::pair<double, double> times_of(const Trajectory& path) {
     return times;
 }
 
+/// Calls `take` with the first and the end of each tour's poses.
+template <class Take>
+void for_each_tour(const Trajectory& path, Take take) {
+    for (std::size_t begin = 0; begin < path.size();) {
+        std::size_t end = begin + 1;
+        while (end < path.size() && !path[end].begins) ++end;
+        take(begin, end);
+        begin = end;
+    }
+}
+
+/// Of the tours of which the reference tells anything.
+std::size_t poses_of_tours(const Trajectory& path, const std::vector<Matched>& matched) {
+    std::size_t poses = 0;
+    for_each_tour(path, [&](std::size_t begin, std::size_t end) {
+        const auto first = std::ranges::lower_bound(matched, begin, {}, &Matched::estimate);
+        if (first != matched.end() && first->estimate < end) poses += end - begin;
+    });
+    return poses > 0 ? poses : path.size();
+}
+
+/// What the path's tours and a reference have in common, and how long those tours are that it
+/// meets [s]: one may have the truth of a single tour, and the hours between two are none's.
+/// Nothing where it meets none.
+std::optional<std::pair<double, double>> time_in_common(const Trajectory& path, double from,
+                                                        double to) {
+    double common = 0.0;
+    double met = 0.0;
+    bool meets = false;
+    for_each_tour(path, [&](std::size_t begin, std::size_t end) {
+        const auto [first, last] = times_of(std::span(path).subspan(begin, end - begin));
+        const double shared = std::min(last, to) - std::max(first, from);
+        if (!(shared >= 0.0)) return;
+        common += shared;
+        met += last - first;
+        meets = true;
+    });
+    return meets ? std::optional(std::pair(common, met)) : std::nullopt;
+}
+
 }  // namespace
 
-std::optional<Advice> ReferenceFit::doubt() const {
-    if (shape) return shape;
-    if (2 * common >= poses) return std::nullopt;
-    return Advice{HITOS_TEXT("Advice",
-                             "The reference trajectory tells of less than half of the scans (%1), "
-                             "and the errors are of these alone: is it of this whole tour?"),
-                  fmt::format("{}/{}", common, poses),
-                  {}};
+std::vector<Advice> ReferenceFit::doubts() const {
+    std::vector<Advice> doubts;
+    if (misfit) doubts.push_back(*misfit);
+    if (headings) doubts.push_back(*headings);
+    if (2 * common < poses) {
+        doubts.push_back(
+            {HITOS_TEXT("Advice",
+                        "The reference trajectory tells of less than half of the scans (%1), and "
+                        "the errors are of these alone: is it of this whole tour?"),
+             fmt::format("{}/{}", common, poses),
+             {}});
+    }
+    return doubts;
+}
+
+ReferenceFit fit_of_path(const Trajectory& path, const Trajectory& reference, double tolerance_s) {
+    const std::vector<Matched> matched = matched_by_stamp(path, reference, tolerance_s);
+    ReferenceFit fit{poses_of_tours(path, matched), matched.size()};
+    PathPoints own;
+    PathPoints there;
+    for (const Matched& pair : matched) {
+        own.emplace_back(path[pair.estimate].pose.x, path[pair.estimate].pose.y);
+        there.emplace_back(pair.reference.x, pair.reference.y);
+    }
+    fit.misfit = doubt_of_clock(path, reference, tolerance_s);
+    if (!fit.misfit) fit.misfit = doubt_of_shape(own, there);
+    const HeadingsFit headings = fit_of_headings(path, matched);
+    // What is mirrored turns the other way.
+    if (!fit.misfit || headings.headings == Headings::none) fit.headings = headings.doubt();
+    return fit;
 }
 
 ReferenceFit fit_of_reference(const Trajectory& path, const Trajectory& reference,
                               double tolerance_s) {
-    ReferenceFit fit{path.size(), matched_by_stamp(path, reference, tolerance_s).size()};
+    ReferenceFit fit = fit_of_path(path, reference, tolerance_s);
     const auto [from, to] = times_of(path);
     const auto [other_from, other_to] = times_of(reference);
     const double begin = std::max(from, other_from);
     const double end = std::min(to, other_to);
-    const bool brief = to > from && !(end - begin >= kLeastShare * (to - from));
+    const auto shared = time_in_common(path, other_from, other_to);
+    const bool brief = to > from && !(shared && shared->first >= kLeastShare * shared->second);
     const auto meanwhile = [&](const Trajectory& poses) {
         return std::ranges::count_if(poses, [&](const StampedPose& pose) {
             return pose.time_s >= begin && pose.time_s <= end;
@@ -58,10 +123,7 @@ ReferenceFit fit_of_reference(const Trajectory& path, const Trajectory& referenc
     };
     const auto most = static_cast<double>(std::min(meanwhile(path), meanwhile(reference)));
     const bool by_chance = fit.common < kFew && static_cast<double>(fit.common) < kByChance * most;
-    if (fit.common >= std::min(kFewest, fit.poses) && !brief && !by_chance) {
-        fit.shape = doubt_of_shape(path, reference, tolerance_s);
-        return fit;
-    }
+    if (fit.common >= std::min(kFewest, path.size()) && !brief && !by_chance) return fit;
     const auto seconds = [](double time_s) { return fmt::format("{:.3f}", time_s); };
     throw Error(message(
         HITOS_TEXT("Errors",
@@ -70,7 +132,7 @@ ReferenceFit fit_of_reference(const Trajectory& path, const Trajectory& referenc
                    "%7; expected the true path of this very tour, of a tenth of its time at least, "
                    "with stamps of the same clock in seconds (hitos-cli run and evaluate take "
                    "poses that are further away with --tolerance)"),
-        fit.common, fit.poses, fmt::format("{:g}", tolerance_s), seconds(from), seconds(to),
+        fit.common, path.size(), fmt::format("{:g}", tolerance_s), seconds(from), seconds(to),
         seconds(other_from), seconds(other_to)));
 }
 
@@ -79,7 +141,7 @@ ReferenceFit fit_of_reference(const TourReader& tour, const Trajectory& referenc
     Trajectory stamps;
     const std::unique_ptr<TourReader> reader = tour.reopen();
     while (const std::optional<Scan> scan = reader->next_scan()) {
-        stamps.push_back({scan->stamp_s(), {}});
+        stamps.push_back({scan->stamp_s(), {}, scan->begins_tour.has_value()});
     }
     if (stamps.empty()) return {};  // whoever runs it says so
     return fit_of_reference(stamps, reference, tolerance_s);

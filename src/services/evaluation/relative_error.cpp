@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "reference_doubts.hpp"
 #include "stamp_pairs.hpp"
 
 namespace hitos {
@@ -15,6 +16,7 @@ std::optional<RelativeError> relative_error(const Trajectory& estimate, const Tr
     auto common = matched_by_stamp(estimate, reference, tolerance_s);
     std::ranges::stable_sort(common, {},
                              [&](const Matched& pair) { return estimate[pair.estimate].time_s; });
+    if (!fit_of_headings(estimate, common).told()) return std::nullopt;
     Trajectory own;
     std::vector<Pose> other;
     for (const auto& [i, there] : common) {

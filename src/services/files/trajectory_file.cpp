@@ -72,7 +72,15 @@ std::optional<Columns> named_columns(std::string_view line) {
 struct Turns {
     bool of_plane = false;  ///< about other axes than x
     bool rolls = false;
+    bool any = false;                ///< the file has headings
+    std::uint64_t none_at_line = 0;  ///< whose quaternion is all zero
 };
+
+[[noreturn]] void refuse_length(double length, const input::Place& place) {
+    throw FormatError(place.file, place.line,
+                      HITOS_TEXT("Errors", "the quaternion's length is %1; expected 1"),
+                      fmt::format("{:.6g}", length));
+}
 
 StampedPose pose_from(std::string_view line, const Columns& columns, const input::Place& place,
                       Turns& turns) {
@@ -91,11 +99,13 @@ StampedPose pose_from(std::string_view line, const Columns& columns, const input
     // Rounding to two decimals moves the length by less than this.
     constexpr double kTolerance = 0.05;
     const double length = std::hypot(std::hypot(qx, qy), std::hypot(qz, qw));
-    if (!(std::abs(length - 1.0) <= kTolerance)) {
-        throw FormatError(place.file, place.line,
-                          HITOS_TEXT("Errors", "the quaternion's length is %1; expected 1"),
-                          fmt::format("{:.6g}", length));
+    // A file of positions alone may have zeros there.
+    if (length == 0.0) {
+        if (turns.none_at_line == 0) turns.none_at_line = place.line;
+        return {t, {x, y, 0.0}};
     }
+    if (!(std::abs(length - 1.0) <= kTolerance)) refuse_length(length, place);
+    turns.any = true;
     turns.of_plane = turns.of_plane || std::max(std::abs(qy), std::abs(qz)) > 1e-6;
     turns.rolls = turns.rolls || std::min(std::abs(qx), std::abs(qw)) > 1e-3;
     // This form of the yaw holds for a quaternion of any length.
@@ -209,6 +219,7 @@ Trajectory parse_trajectory(std::string_view text, const std::string& name) {
                 "Errors",
                 "no pose in the file; expected 8 numbers, t x y z qx qy qz qw on each line"));
     }
+    if (turns.any && turns.none_at_line > 0) refuse_length(0.0, {name, turns.none_at_line});
     if (turns.rolls && !turns.of_plane) {
         throw FormatError(
             name, 0,

@@ -43,11 +43,12 @@ ordered_json json_of(const MapError& error) {
 }
 
 ordered_json json_of(const TrajectoryError& error) {
-    return {{"ate_rmse_m", error.rmse_m},
-            {"ate_mean_m", error.mean_m},
-            {"ate_maximum_m", error.maximum_m},
-            {"heading_rmse_rad", error.heading_rmse_rad},
-            {"poses", error.poses}};
+    ordered_json json{{"ate_rmse_m", error.rmse_m},
+                      {"ate_mean_m", error.mean_m},
+                      {"ate_maximum_m", error.maximum_m}};
+    if (error.heading_rmse_rad) json["heading_rmse_rad"] = *error.heading_rmse_rad;
+    json["poses"] = error.poses;
+    return json;
 }
 
 ordered_json json_of(const MeasuredDistance& measured) {
@@ -244,10 +245,10 @@ RunSummary summary_of(const Algoritmo& run, const LandmarkMap& map, const Trajec
     summary.advice = run.advice();
     summary.quality = judge(run.evidence(), path, stop);
     static_cast<RunErrors&>(summary) = errors_of(run, map, path, references);
-    std::optional<Advice> shape;
+    ReferenceFit fit;
     if (references.trajectory) {
-        shape = doubt_of_shape(path, *references.trajectory, references.tolerance_s);
-        if (!shape)
+        fit = fit_of_path(path, *references.trajectory, references.tolerance_s);
+        if (fit.judges_loops())
             judge_loops(summary.quality.loops, *references.trajectory, references.tolerance_s);
     }
     summary.figures = figures_of({run.evidence(), run.filter(), map, path, summary, nullptr,
@@ -273,12 +274,8 @@ RunSummary summary_of(const Algoritmo& run, const LandmarkMap& map, const Trajec
                             "--tolerance takes poses that are further away."),
                  fmt::format("{:g} s", references.tolerance_s),
                  {}});
-        } else if (const auto doubt =
-                       ReferenceFit{summary.scans,
-                                    static_cast<std::size_t>(summary.trajectory_error->poses),
-                                    shape}
-                           .doubt()) {
-            summary.reference_doubts.push_back(*doubt);
+        } else {
+            summary.reference_doubts = fit.doubts();
         }
     }
     if (references.map) {

@@ -70,8 +70,7 @@ void try_source(const Study& study, StudyOutcome& outcome) {
     job.configuration.run.seed = job.seed;
     const std::unique_ptr<TourReader> tour = study.source.open_tour(job);
     if (!study.reference_trajectory) return;
-    if (const auto doubt = fit_of_reference(*tour, *study.reference_trajectory).doubt())
-        outcome.doubts.push_back(*doubt);
+    outcome.doubts = fit_of_reference(*tour, *study.reference_trajectory).doubts();
 }
 
 /// Of one run's map, since all of them are of one place.

@@ -115,7 +115,7 @@ std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& la
     const Trajectory path = run.best_trajectory();
     ReferenceFit fit;
     if (study.reference_trajectory) fit = fit_of_reference(path, *study.reference_trajectory);
-    record.reference_doubt = fit.shape;
+    record.reference_doubt = fit.misfit ? fit.misfit : fit.headings;
     const References references = references_of(study, run);
     const RunErrors errors = errors_of(run, map, path, references);
     if (errors.map_error) record.reference_found = errors.map_error->reference_found;
@@ -130,7 +130,7 @@ std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& la
     if (evidence.registration != nullptr) {
         loops =
             run_loops(evidence.registration->loops(), evidence.registration->refused_loops(), path);
-        if (references.trajectory && !fit.shape)
+        if (references.trajectory && fit.judges_loops())
             judge_loops(loops, *references.trajectory, references.tolerance_s);
     }
     record.figures = figures_of({evidence, run.filter(), map, path, errors, grid,

@@ -198,8 +198,8 @@ class Work {
                     "Errors", "the tour names no trajectory to measure a peer's against")));
             }
             const Trajectory reference = read_trajectory(tour.trajectory);
-            if (const auto doubt = fit_of_reference(path, reference).doubt())
-                row.remark = doubt->words();
+            for (const Advice& doubt : fit_of_reference(path, reference).doubts())
+                remark(row, doubt.words());
             const auto take = [&](const char* word, double figure) {
                 row.figures[word] = spread_of({&figure, 1});
             };

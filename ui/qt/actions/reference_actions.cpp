@@ -26,7 +26,8 @@ std::optional<Advice> ConfigurationActions::take_references(const ReferenceFiles
             const auto fit = [&path = *references.trajectory](const Algoritmo& run) {
                 return fit_of_reference(run.reader(), path);
             };
-            doubt = session_.worker()->with_run(fit).get().doubt();
+            const std::vector<Advice> doubts = session_.worker()->with_run(fit).get().doubts();
+            if (!doubts.empty()) doubt = doubts.front();
         }
     }
     session_.set_references(references, map_file);

@@ -376,8 +376,8 @@ void LoopTable::take_loops() {
     loops_ = snapshot ? snapshot->loops : std::vector<RunLoop>();
     const References& references = session_.references();
     if (references.trajectory && !loops_.empty() &&
-        !doubt_of_shape(snapshot->best_trajectory, *references.trajectory,
-                        references.tolerance_s)) {
+        fit_of_path(snapshot->best_trajectory, *references.trajectory, references.tolerance_s)
+            .judges_loops()) {
         judge_loops(loops_, *references.trajectory, references.tolerance_s);
     }
     const auto number = std::ranges::count_if(loops_, &RunLoop::closed);

@@ -29,10 +29,13 @@ constexpr double kRelativeWay = 1.0;  // [m]
 QString words_of_side(const ErrorStrip::Side& side) {
     const auto& [absolute, relative, errors, begin, reference] = side.figures;
     if (!absolute) return side.name + ": " + side.problem;
-    QString words =
-        ErrorStrip::tr("%1: ATE %2 (RMSE, aligned), mean %3, greatest %4; heading %5 (RMSE)")
-            .arg(side.name, metre_words(absolute->rmse_m), metre_words(absolute->mean_m),
-                 metre_words(absolute->maximum_m), degree_words(absolute->heading_rmse_rad));
+    QString words = ErrorStrip::tr("%1: ATE %2 (RMSE, aligned), mean %3, greatest %4")
+                        .arg(side.name, metre_words(absolute->rmse_m),
+                             metre_words(absolute->mean_m), metre_words(absolute->maximum_m));
+    words +=
+        absolute->heading_rmse_rad
+            ? ErrorStrip::tr("; heading %1 (RMSE)").arg(degree_words(*absolute->heading_rmse_rad))
+            : ErrorStrip::tr("; the reference has no headings");
     if (relative) {
         words += ErrorStrip::tr("; RPE per metre %1, %2 (RMSE)")
                      .arg(metre_words(relative->translation_m.rmse),
@@ -54,17 +57,19 @@ PathFigures path_figures(const Trajectory& path, const Trajectory& reference, bo
     figures.absolute = trajectory_error(path, reference);
     if (!figures.absolute) return figures;
     figures.relative = relative_error(path, reference, {PairSpacing::By::distance, kRelativeWay});
+    // Without headings the first pose says nothing of how the frames lie.
+    aligned = aligned || !figures.absolute->heading_rmse_rad;
     figures.errors = path_errors(
         path, reference,
         aligned ? std::optional(figures.absolute->pose_reference_estimate) : std::nullopt);
     figures.begin_s = path.front().time_s;
+    const std::vector<double> seconds = tour_seconds(path);
+    for (PathError& error : figures.errors) error.time_s = figures.begin_s + seconds[error.pose];
     const std::optional<Pose> laid = aligned
                                          ? std::optional(figures.absolute->pose_reference_estimate)
                                          : first_alignment(path, reference);
     if (!laid) return figures;
     const Pose pose_estimate_reference = inverse(*laid);
-    const std::vector<double> seconds = tour_seconds(path);
-    for (PathError& error : figures.errors) error.time_s = figures.begin_s + seconds[error.pose];
     figures.reference.reserve(reference.size());
     for (const StampedPose& stamped : reference) {
         const Pose pose = compose(pose_estimate_reference, stamped.pose);

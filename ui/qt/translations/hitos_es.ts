@@ -7008,12 +7008,20 @@
         <translation>Guardar como imagen…</translation>
     </message>
     <message>
-        <source>%1: ATE %2 (RMSE, aligned), mean %3, greatest %4; heading %5 (RMSE)</source>
-        <translation>%1: ATE %2 (RMSE, alineado), media %3, máximo %4; orientación %5 (RMSE)</translation>
-    </message>
-    <message>
         <source>Each path is laid over the reference as well as possible, as for the ATE, and the maps over the left one likewise; else so that the first poses agree</source>
         <translation>Cada trayectoria se superpone a la referencia lo mejor posible, como para el ATE, y los mapas al de la izquierda igualmente; si no, de modo que coincidan las primeras poses</translation>
+    </message>
+    <message>
+        <source>%1: ATE %2 (RMSE, aligned), mean %3, greatest %4</source>
+        <translation>%1: ATE %2 (RMSE, alineado), media %3, máximo %4</translation>
+    </message>
+    <message>
+        <source>; heading %1 (RMSE)</source>
+        <translation>; orientación %1 (RMSE)</translation>
+    </message>
+    <message>
+        <source>; the reference has no headings</source>
+        <translation>; la referencia no tiene orientaciones</translation>
     </message>
 </context>
 <context>

@@ -61,8 +61,9 @@ Measured measure(const Snapshot& snapshot, const References& references, KnownEr
         out.trajectory = trajectory_error(snapshot.best_trajectory, *references.trajectory);
         out.odometry = trajectory_error(snapshot.odometry_trajectory, *references.trajectory);
         // Of the two the one by which loops are told false.
-        if (const auto shape = doubt_of_shape(snapshot.best_trajectory, *references.trajectory))
-            out.doubt = shape;
+        const ReferenceFit fit =
+            fit_of_path(snapshot.best_trajectory, *references.trajectory, references.tolerance_s);
+        if (fit.misfit || fit.headings) out.doubt = fit.misfit ? fit.misfit : fit.headings;
         const Pose pose_world_reference =
             out.trajectory ? inverse(out.trajectory->pose_reference_estimate) : Pose{};
         for (const StampedPose& stamped : *references.trajectory) {

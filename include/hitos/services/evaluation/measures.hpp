@@ -63,8 +63,8 @@ struct TrajectoryError {
     double rmse_m = 0.0;  ///< ATE: root mean square distance
     double mean_m = 0.0;
     double maximum_m = 0.0;
-    double heading_rmse_rad = 0.0;
-    int poses = 0;  ///< pairs compared
+    std::optional<double> heading_rmse_rad;  ///< nothing where the reference has no headings
+    int poses = 0;                           ///< pairs compared
     Pose pose_reference_estimate;
 };
 std::optional<TrajectoryError> trajectory_error(const Trajectory& estimate,

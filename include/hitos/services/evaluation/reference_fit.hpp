@@ -13,31 +13,40 @@ namespace hitos {
 
 class TourReader;
 
-/// Of how many poses of a path, or scans of a tour, a reference trajectory tells.
+/// Of how many poses of a path, or scans of a tour, a reference trajectory tells, and what.
 struct ReferenceFit {
-    std::size_t poses = 0;
+    std::size_t poses = 0;   ///< of several tours, those of the ones that the reference is of
     std::size_t common = 0;  ///< of these, with a pose of the reference at their stamp
-    /// doubt_of_shape(); errors are none, and no loop is false, by a reference that has one.
-    std::optional<Advice> shape = std::nullopt;
+    /// It is of another clock, another shape or another size: errors against it are none.
+    std::optional<Advice> misfit = std::nullopt;
+    /// It has no headings, or others: only errors of positions are any.
+    std::optional<Advice> headings = std::nullopt;
 
-    /// Of its shape, or that it tells of less than half of the poses.
-    std::optional<Advice> doubt() const;
+    /// Whether it may call a loop false.
+    bool judges_loops() const { return !misfit && !headings; }
+    /// Those two, and that it tells of less than half of the poses.
+    std::vector<Advice> doubts() const;
 };
 
-/// What there is to doubt of a reference trajectory whose poses tell of the path's: over pieces of
-/// ten metres, which even bad odometry bends little, it is a mirror image of the path or of another
-/// size, or is nowhere like it and far from it as a whole too. Nothing of a path of a few metres.
-std::optional<Advice> doubt_of_shape(const Trajectory& path, const Trajectory& reference,
-                                     double tolerance_s = kSameStamp);
+/// What there is to doubt of a reference trajectory whose poses tell of the path's:
+/// - with its stamps a little later or earlier, up to a minute, it lies much nearer to the path;
+/// - over pieces of ten metres, which even bad odometry bends little, it is a mirror image of the
+///   path or of another size, or is nowhere like it and far from it as a whole too;
+/// - its headings are all the same, or turn otherwise than both ways do.
+/// Nothing of a path of a few metres.
+ReferenceFit fit_of_path(const Trajectory& path, const Trajectory& reference,
+                         double tolerance_s = kSameStamp);
 
-/// The poses are paired as trajectory_error() pairs them. Throws Error, with the times of both,
-/// where fewer than three of the path's poses (or, of fewer, not all) have one of the reference,
-/// where both share less than a tenth of the path's time, or where fewer than ten are paired and
-/// these are less than a tenth of what both have in that time: errors would be figures of nothing.
+/// The same. The poses are paired as trajectory_error() pairs them. Throws Error, with the times of
+/// both, where fewer than three of the path's poses (or, of fewer, not all) have one of the
+/// reference, where both share less than a tenth of the path's time (of several tours, one behind
+/// the other, that of those that the reference is of, without what passed between them), or where
+/// fewer than ten are paired and these are less than a tenth of what both have in that time: errors
+/// would be figures of nothing.
 ReferenceFit fit_of_reference(const Trajectory& path, const Trajectory& reference,
                               double tolerance_s = kSameStamp);
-/// The same of a tour before it is run, but for its shape: reads the stamps of its scans anew, and
-/// leaves it where it stands.
+/// Of a tour before it is run, of which only stamps are known: reads the stamps of its scans anew,
+/// and leaves it where it stands.
 ReferenceFit fit_of_reference(const TourReader& tour, const Trajectory& reference,
                               double tolerance_s = kSameStamp);
 

@@ -21,7 +21,8 @@ struct RelativeError {
 };
 
 /// The poses are paired by stamp as trajectory_error() pairs them; of those, in the order of their
-/// stamps, the pairs are what pose_pairs() takes of the estimate. Nothing where there is no pair.
+/// stamps, the pairs are what pose_pairs() takes of the estimate. Nothing where there is no pair,
+/// or where the reference has no headings (ReferenceFit::headings).
 std::optional<RelativeError> relative_error(const Trajectory& estimate, const Trajectory& reference,
                                             const PairSpacing& spacing,
                                             double tolerance_s = kSameStamp);

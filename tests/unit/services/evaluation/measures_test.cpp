@@ -236,7 +236,7 @@ TEST(TrajectoryError, OfARigidlyMovedTrajectoryIsZero) {
     const TrajectoryError error =
         trajectory_error(moved(wavy(100), inverse(pose)), wavy(100)).value();
     EXPECT_NEAR(error.rmse_m, 0.0, 1e-12);
-    EXPECT_NEAR(error.heading_rmse_rad, 0.0, 1e-12);
+    EXPECT_NEAR(error.heading_rmse_rad.value(), 0.0, 1e-12);
     EXPECT_EQ(error.poses, 100);
     EXPECT_NEAR(error.pose_reference_estimate.x, pose.x, 1e-11);
     EXPECT_NEAR(error.pose_reference_estimate.y, pose.y, 1e-11);
@@ -253,14 +253,14 @@ TEST(TrajectoryError, KnownAnswer) {
     EXPECT_NEAR(error.rmse_m, std::sqrt(2.0 / 3.0), 1e-14);
     EXPECT_NEAR(error.mean_m, 2.0 / 3.0, 1e-14);
     EXPECT_NEAR(error.maximum_m, 1.0, 1e-14);
-    EXPECT_NEAR(error.heading_rmse_rad, std::sqrt(0.05 / 3.0), 1e-14);
+    EXPECT_NEAR(error.heading_rmse_rad.value(), std::sqrt(0.05 / 3.0), 1e-14);
 }
 
 TEST(TrajectoryError, HeadingsAreComparedModuloATurnAndAfterAlignment) {
     Trajectory reference = wavy(50);
     Trajectory estimate = moved(reference, {0.0, 0.0, kPi / 2.0});
     for (StampedPose& p : estimate) p.pose.theta += 0.2 + 6.0 * kPi;
-    EXPECT_NEAR(trajectory_error(estimate, reference)->heading_rmse_rad, 0.2, 1e-12);
+    EXPECT_NEAR(trajectory_error(estimate, reference)->heading_rmse_rad.value(), 0.2, 1e-12);
 }
 
 TEST(TrajectoryError, DoesNotDependOnTheFrames) {
@@ -277,7 +277,7 @@ TEST(TrajectoryError, DoesNotDependOnTheFrames) {
         EXPECT_NEAR(other.rmse_m, error.rmse_m, 1e-9);
         EXPECT_NEAR(other.mean_m, error.mean_m, 1e-9);
         EXPECT_NEAR(other.maximum_m, error.maximum_m, 1e-9);
-        EXPECT_NEAR(other.heading_rmse_rad, error.heading_rmse_rad, 1e-9);
+        EXPECT_NEAR(other.heading_rmse_rad.value(), error.heading_rmse_rad.value(), 1e-9);
     }
 }
 
@@ -399,7 +399,7 @@ TEST(TrajectoryError, IsInterpolatedBetweenPosesThatAreNear) {
     ASSERT_TRUE(error.has_value());
     EXPECT_EQ(error->poses, 5);
     EXPECT_NEAR(error->maximum_m, 0.0, 1e-12);
-    EXPECT_NEAR(error->heading_rmse_rad, 0.0, 1e-12);
+    EXPECT_NEAR(error->heading_rmse_rad.value(), 0.0, 1e-12);
     // At 1 Hz only who allows for it is told.
     Trajectory slow = reference;
     for (StampedPose& pose : slow) pose.time_s *= 4.0;
@@ -429,7 +429,7 @@ TEST(TrajectoryError, ARobotAtRestFixesNoRotation) {
     EXPECT_NEAR(error.pose_reference_estimate.x, 4.0, 1e-14);
     EXPECT_NEAR(error.pose_reference_estimate.y, 3.0, 1e-14);
     EXPECT_NEAR(error.rmse_m, 0.0, 1e-14);
-    EXPECT_DOUBLE_EQ(error.heading_rmse_rad, 0.25);
+    EXPECT_DOUBLE_EQ(error.heading_rmse_rad.value(), 0.25);
 }
 
 // Positions that no decomposition takes leave the rotation open; the figures say so.
@@ -446,7 +446,7 @@ TEST(TrajectoryError, PlacesATenthOfAMillimetreApartFixTheRotation) {
     for (StampedPose& p : small) p.pose = {1e-4 * p.pose.x, 1e-4 * p.pose.y, p.pose.theta};
     const TrajectoryError error = trajectory_error(moved(small, {3.0, -7.0, 0.7}), small).value();
     EXPECT_NEAR(error.pose_reference_estimate.theta, -0.7, 1e-6);
-    EXPECT_NEAR(error.heading_rmse_rad, 0.0, 1e-6);
+    EXPECT_NEAR(error.heading_rmse_rad.value(), 0.0, 1e-6);
 }
 
 }  // namespace

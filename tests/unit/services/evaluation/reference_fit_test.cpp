@@ -4,11 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "hitos/base/error.hpp"
+#include "hitos/services/evaluation/relative_error.hpp"
 #include "hitos/services/files/reference_files.hpp"
 #include "support.hpp"
 
@@ -33,14 +37,19 @@ std::string refusal(const Trajectory& path, const Trajectory& reference) {
     return {};
 }
 
+std::optional<Advice> doubt_of(const Trajectory& path, const Trajectory& reference) {
+    const std::vector<Advice> doubts = fit_of_reference(path, reference).doubts();
+    return doubts.empty() ? std::nullopt : std::optional(doubts.front());
+}
+
 TEST(ReferenceFit, CountsThePosesThatHaveOneOfTheReference) {
     const Trajectory path = path_from(0.0, 1.0, 100);
     EXPECT_EQ(fit_of_reference(path, path).common, 100U);
-    EXPECT_FALSE(fit_of_reference(path, path).doubt());
-    EXPECT_FALSE(fit_of_reference(path, path_from(0.0, 1.0, 50)).doubt());
+    EXPECT_FALSE(doubt_of(path, path));
+    EXPECT_FALSE(doubt_of(path, path_from(0.0, 1.0, 50)));
     const ReferenceFit fit = fit_of_reference(path, path_from(0.0, 1.0, 49));
-    ASSERT_TRUE(fit.doubt());
-    EXPECT_EQ(fit.doubt()->figure, "49/100");
+    ASSERT_EQ(fit.doubts().size(), 1U);
+    EXPECT_EQ(fit.doubts().front().figure, "49/100");
     // Between its poses a dense reference is interpolated.
     EXPECT_GE(fit_of_reference(path, path_from(0.17, 0.4, 248)).common, 98U);
 }
@@ -93,7 +102,7 @@ template <class Change>
 std::string doubt_where(const Trajectory& path, Change change) {
     Trajectory reference = path;
     for (StampedPose& pose : reference) pose.pose = change(pose.pose);
-    const auto doubt = fit_of_reference(path, reference).doubt();
+    const auto doubt = doubt_of(path, reference);
     return doubt ? doubt->words() : std::string();
 }
 
@@ -101,7 +110,7 @@ TEST(ReferenceFit, SaysHowAReferenceOfAnotherShapeDiffers) {
     // So does the path that bad odometry tells.
     const Trajectory odometry = tour(0.03);
     ASSERT_GT(trajectory_error(odometry, tour())->rmse_m, 5.0);
-    EXPECT_FALSE(fit_of_reference(odometry, tour()).doubt());
+    EXPECT_FALSE(doubt_of(odometry, tour()));
     for (const Trajectory& path : {tour(), odometry}) {
         EXPECT_EQ(doubt_where(path, [](Pose at) { return at; }), "");
         // Of another frame.
@@ -126,11 +135,126 @@ TEST(ReferenceFit, SaysHowAReferenceOfAnotherShapeDiffers) {
         EXPECT_THAT(doubt_where(path, times(0.5)), HasSubstr("0.5 times as large"));
         EXPECT_EQ(doubt_where(path, times(1.1)), "");
     }
-    const auto other = fit_of_reference(tour(), another_tour()).doubt();
+    const auto other = doubt_of(tour(), another_tour());
     ASSERT_TRUE(other);
     EXPECT_THAT(other->words(), HasSubstr("nowhere like the reference trajectory"));
     // What hardly moves has no shape.
-    EXPECT_FALSE(fit_of_reference(path_from(0.0, 1.0, 50), tour()).doubt());
+    EXPECT_FALSE(doubt_of(path_from(0.0, 1.0, 50), tour()));
+}
+
+Trajectory with_clock(Trajectory path, double shift_s) {
+    for (StampedPose& pose : path) pose.time_s += shift_s;
+    return path;
+}
+
+/// As a run has it: near its truth, but not on it.
+Trajectory shaken(Trajectory path) {
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const auto turn = static_cast<double>(i);
+        path[i].pose.x += 0.01 * std::sin(0.7 * turn);
+        path[i].pose.y += 0.01 * std::cos(1.1 * turn);
+    }
+    return path;
+}
+
+TEST(ReferenceFit, SaysByHowMuchAClockIsOff) {
+    for (const double shift_s : {-30.0, -3.0, 0.6, 1.5, 6.0, 50.0}) {
+        const ReferenceFit fit = fit_of_reference(shaken(tour()), with_clock(tour(), shift_s));
+        ASSERT_TRUE(fit.misfit) << shift_s;
+        EXPECT_NEAR(std::stod(fit.misfit->figure), std::abs(shift_s), 0.11);
+        EXPECT_THAT(fit.misfit->words(), HasSubstr(shift_s < 0.0 ? " later: its clock is behind"
+                                                                 : " earlier: its clock is ahead"));
+        EXPECT_FALSE(fit.judges_loops());
+    }
+    EXPECT_TRUE(fit_of_reference(shaken(tour()), tour()).judges_loops());
+    // Of a path that is bent no clock makes a good one.
+    EXPECT_FALSE(fit_of_reference(tour(0.03), tour()).misfit);
+}
+
+TEST(ReferenceFit, IsNotLedAstrayByLaps) {
+    // Round a square in 100 s, each side in a time of its own: else a quarter of a lap would do.
+    constexpr std::array kSides{40, 60, 70, 30};
+    Trajectory laps;
+    Pose corner;
+    for (int side = 0; side < 16; ++side) {
+        const int poses = kSides[static_cast<std::size_t>(side % 4)];
+        for (int i = 0; i < poses; ++i) {
+            laps.push_back({0.5 * static_cast<double>(laps.size()),
+                            compose(corner, {10.0 * i / poses, 0.0, 0.0})});
+        }
+        corner = compose(corner, {10.0, 0.0, kPi / 2});
+    }
+    Trajectory drifted = laps;
+    for (std::size_t i = 0; i < drifted.size(); ++i)
+        drifted[i].pose.x += 0.002 * static_cast<double>(i);
+    EXPECT_FALSE(fit_of_reference(drifted, laps).misfit);
+    EXPECT_FALSE(fit_of_reference(shaken(laps), laps).misfit);
+    // What lies 70 s off lies 30 s off as well.
+    for (const double shift_s : {3.0, 30.0, -30.0}) {
+        const ReferenceFit fit = fit_of_reference(shaken(laps), with_clock(laps, shift_s));
+        ASSERT_TRUE(fit.misfit) << shift_s;
+        EXPECT_NEAR(std::stod(fit.misfit->figure), std::abs(shift_s), 0.11);
+    }
+}
+
+template <class Change>
+Trajectory with_headings(Trajectory path, Change change) {
+    for (std::size_t i = 0; i < path.size(); ++i)
+        path[i].pose.theta = wrap_angle(change(path[i].pose.theta, static_cast<double>(i)));
+    return path;
+}
+
+TEST(ReferenceFit, KnowsWhetherAReferenceHasHeadings) {
+    const Trajectory path = shaken(tour());
+    const PairSpacing spacing{.length = 1.0};
+    for (const double heading : {0.0, 1.2}) {
+        const Trajectory positions = with_headings(tour(), [&](double, double) { return heading; });
+        const ReferenceFit fit = fit_of_reference(path, positions);
+        ASSERT_TRUE(fit.headings);
+        EXPECT_FALSE(fit.misfit);
+        EXPECT_FALSE(fit.judges_loops());
+        EXPECT_THAT(fit.headings->words(), HasSubstr("has no headings"));
+        EXPECT_FALSE(relative_error(path, positions, spacing));
+        const auto error = trajectory_error(path, positions);
+        EXPECT_FALSE(error->heading_rmse_rad);
+        EXPECT_EQ(error->rmse_m, trajectory_error(path, tour())->rmse_m);
+    }
+    const auto wild = [](double, double i) { return 7.3 * i * i; };
+    const auto doubt = doubt_of(path, with_headings(tour(), wild));
+    ASSERT_TRUE(doubt);
+    EXPECT_THAT(doubt->words(), HasSubstr("headings of the reference trajectory are none of this"));
+    // In whatever frame, and driven backwards.
+    const auto backwards = [](double theta, double) { return theta + kPi; };
+    EXPECT_FALSE(doubt_of(path, with_headings(tour(), backwards)));
+    EXPECT_TRUE(relative_error(path, tour(), spacing));
+    // A robot that turns nowhere, as one on omnidirectional wheels; and a path that missed turns.
+    const auto still = [](double, double) { return 0.4; };
+    EXPECT_FALSE(doubt_of(with_headings(path, still), with_headings(tour(), still)));
+    EXPECT_FALSE(doubt_of(with_headings(path, still), tour()));
+}
+
+/// Two days' tours, one behind the other.
+Trajectory two_days() {
+    Trajectory both = tour();
+    for (StampedPose pose : tour()) {
+        pose.begins = both.size() == tour().size();
+        pose.time_s += 1e5;
+        both.push_back(pose);
+    }
+    return both;
+}
+
+TEST(ReferenceFit, MayBeOfOneOfTwoTours) {
+    for (const double day_s : {0.0, 1e5}) {
+        const ReferenceFit fit = fit_of_reference(two_days(), with_clock(tour(), day_s));
+        EXPECT_EQ(fit.common, 800U);
+        EXPECT_EQ(fit.poses, 800U);
+        EXPECT_TRUE(fit.doubts().empty());
+    }
+    Trajectory part = with_clock(tour(), 1e5);
+    part.resize(60);  // 30 s of 400
+    EXPECT_THAT(refusal(two_days(), part), HasSubstr("60 of 1600 poses"));
+    EXPECT_THAT(refusal(two_days(), with_clock(tour(), 5e4)), HasSubstr("0 of 1600 poses"));
 }
 
 TEST(ReferenceFit, DoubtsAMapOfAnotherPlace) {
@@ -188,6 +312,14 @@ TEST(ReferenceFit, SaysHowAReferenceMapIsRead) {
                 HasSubstr("is in millimetres"));
     EXPECT_THAT(change(
                     [](Recta wall) {
+                        return Recta{wall.rho / 0.3048, wall.theta};
+                    },
+                    [](Esquina at) {
+                        return Esquina{at.x / 0.3048, at.y / 0.3048};
+                    }),
+                HasSubstr("is in feet"));
+    EXPECT_THAT(change(
+                    [](Recta wall) {
                         return Recta{wall.rho, wrap_angle(-wall.theta)};
                     },
                     [](Esquina at) {
@@ -238,11 +370,3 @@ TEST_F(ReferenceFilesTest, GoWhereTheyBelong) {
 
 }  // namespace
 }  // namespace hitos
-    EXPECT_THAT(change(
-                    [](Recta wall) {
-                        return Recta{wall.rho / 0.3048, wall.theta};
-                    },
-                    [](Esquina at) {
-                        return Esquina{at.x / 0.3048, at.y / 0.3048};
-                    }),
-                HasSubstr("is in feet"));

@@ -101,10 +101,16 @@ TEST(ParseTrajectory, NamesLineFoundAndExpected) {
     EXPECT_EQ(path_refusal("nan 0 0 0 0 0 0 1"), "t.tum:1: t is \"nan\"; expected a finite number");
     EXPECT_EQ(path_refusal("0 0 0 0 0 0 0 inf"),
               "t.tum:1: qw is \"inf\"; expected a finite number");
-    EXPECT_EQ(path_refusal("0 0 0 0 0 0 0 0"), "t.tum:1: the quaternion's length is 0; expected 1");
+    EXPECT_EQ(path_refusal("0 0 0 0 0 0 0 0\n1 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 0"),
+              "t.tum:1: the quaternion's length is 0; expected 1");
     EXPECT_EQ(path_refusal("0 0 0 0 0 0 3 4"), "t.tum:1: the quaternion's length is 5; expected 1");
     EXPECT_EQ(path_refusal("# nothing\n"),
               "t.tum: no pose in the file; expected 8 numbers, t x y z qx qy qz qw on each line");
+}
+
+TEST(ParseTrajectory, OfPositionsAloneMayHaveZerosForQuaternions) {
+    const Trajectory read = parse_trajectory("0 1 2 0 0 0 0 0\n1 3 4 0 0 0 0 0\n", "t.tum");
+    EXPECT_EQ(read, (Trajectory{{0.0, {1.0, 2.0, 0.0}}, {1.0, {3.0, 4.0, 0.0}}}));
 }
 
 TEST(ParseTrajectory, ReadsCommasNamesAndOtherStampsWhereThereIsNoDoubt) {
