@@ -24,13 +24,15 @@ std::optional<Advice> doubt_of_clock(const Trajectory& path, const Trajectory& r
 /// What the headings of a reference are worth, where the path has turned enough to tell.
 enum class Headings {
     told,
-    none,  ///< all the same
-    unfit  ///< neither the path turns so, nor do they look along the reference's own way
+    none,   ///< all the same
+    unfit,  ///< neither the path turns so, nor do they look along the reference's own way
+    turned  ///< all off by one angle, once the positions lie on the path's
 };
 struct HeadingsFit {
     Headings headings = Headings::told;
     int turns = 0;  ///< of the path
     int unlike = 0;
+    double turned_rad = 0.0;
 
     bool told() const { return headings == Headings::told; }
     std::optional<Advice> doubt() const;

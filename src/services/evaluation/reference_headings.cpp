@@ -67,12 +67,41 @@ bool looks_along(const std::vector<Matched>& matched) {
     return steps < kFewSteps || std::abs(sum) >= kAlong * steps;
 }
 
+/// By how much the reference's headings are off the path's, where all are by as much and the
+/// positions of both have the same shape; else 0.
+double turned_by(const Trajectory& path, const std::vector<Matched>& matched) {
+    constexpr double kLeast = 0.35;  // [rad]
+    constexpr double kAlike = 0.9;
+    const auto count = static_cast<double>(matched.size());
+    std::complex<double> mean;
+    std::complex<double> mean_there;
+    for (const auto& [i, there] : matched) {
+        mean += std::complex(path[i].pose.x, path[i].pose.y) / count;
+        mean_there += std::complex(there.x, there.y) / count;
+    }
+    std::complex<double> product;
+    double squares = 0.0;
+    std::complex<double> headings;
+    for (const auto& [i, there] : matched) {
+        const auto own = std::complex(path[i].pose.x, path[i].pose.y) - mean;
+        const auto other = std::complex(there.x, there.y) - mean_there;
+        product += std::conj(own) * other;
+        squares += (std::norm(own) + std::norm(other)) / 2.0;
+        headings += std::polar(1.0, there.theta - path[i].pose.theta);
+    }
+    const double off = wrap_angle(std::arg(headings) - std::arg(product));
+    const bool alike = std::abs(product) >= kAlike * squares && squares > 0.0;
+    return alike && std::abs(headings) >= kAlike * count && std::abs(off) >= kLeast ? off : 0.0;
+}
+
 }  // namespace
 
 HeadingsFit fit_of_headings(const Trajectory& path, const std::vector<Matched>& matched) {
     HeadingsFit fit;
     if (matched.empty()) return fit;
     count_turns(path, matched, fit);
+    fit.turned_rad = turned_by(path, matched);
+    if (fit.turned_rad != 0.0) fit.headings = Headings::turned;
     if (fit.turns < kFewTurns || 5 * fit.unlike < 4 * fit.turns || looks_along(matched)) return fit;
     const double first = matched.front().reference.theta;
     const bool same = std::ranges::all_of(matched, [&](const Matched& pair) {
@@ -92,6 +121,16 @@ std::optional<Advice> HeadingsFit::doubt() const {
                        "errors and which loops are false are left out; the ATE is of "
                        "positions alone, and stands."),
             std::to_string(turns),
+            {}};
+    }
+    if (headings == Headings::turned) {
+        return Advice{
+            HITOS_TEXT("Advice",
+                       "The headings of the reference trajectory are off by %1, as those of "
+                       "another part of the robot: turn them back by that. Errors of headings, "
+                       "relative errors and which loops are false are left out; the ATE is of "
+                       "positions alone, and stands."),
+            fmt::format("{:.0f}°", turned_rad * kDegreesPerRadian),
             {}};
     }
     return Advice{HITOS_TEXT("Advice",

@@ -12,7 +12,7 @@
 #include "hitos/base/geometry.hpp"
 #include "hitos/base/translatable.hpp"
 #include "hitos/services/evaluation/reference_fit.hpp"
-#include "length_units.hpp"
+#include "reference_units.hpp"
 
 namespace hitos {
 namespace {
@@ -107,7 +107,7 @@ constexpr std::array kOtherReadings{
 
 std::vector<Reading> readings() {
     std::vector<Reading> all;
-    for (const LengthUnit& unit : kLengthUnits)
+    for (const ReferenceUnit& unit : kReferenceUnits)
         all.push_back({unit.of_map, &line_as_it_is, &as_it_is, unit.per_metre});
     all.insert(all.end(), kOtherReadings.begin(), kOtherReadings.end());
     return all;

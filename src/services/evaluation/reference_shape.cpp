@@ -9,9 +9,9 @@
 
 #include "hitos/base/median.hpp"
 #include "hitos/base/translatable.hpp"
-#include "length_units.hpp"
 #include "path_pieces.hpp"
 #include "reference_doubts.hpp"
+#include "reference_units.hpp"
 #include "stamp_pairs.hpp"
 
 namespace hitos {
@@ -25,7 +25,7 @@ constexpr double kElsewhere = 1.0 / 3.0;  // of the reference's extent
 Advice of_another_size(double scale) {
     constexpr double kNear = 0.15;
     const std::string figure = fmt::format("{:.3g}", scale);
-    for (const LengthUnit& unit : kLengthUnits) {
+    for (const ReferenceUnit& unit : kReferenceUnits) {
         if (std::abs(std::log(scale / unit.per_metre)) < kNear)
             return {unit.of_trajectory, figure, {}};
     }

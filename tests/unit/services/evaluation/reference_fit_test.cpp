@@ -223,9 +223,17 @@ TEST(ReferenceFit, KnowsWhetherAReferenceHasHeadings) {
     const auto doubt = doubt_of(path, with_headings(tour(), wild));
     ASSERT_TRUE(doubt);
     EXPECT_THAT(doubt->words(), HasSubstr("headings of the reference trajectory are none of this"));
-    // In whatever frame, and driven backwards.
+    // Driven backwards; but not by one of both alone, nor off by another angle.
     const auto backwards = [](double theta, double) { return theta + kPi; };
-    EXPECT_FALSE(doubt_of(path, with_headings(tour(), backwards)));
+    EXPECT_FALSE(doubt_of(with_headings(path, backwards), with_headings(tour(), backwards)));
+    const auto across = [](double theta, double) { return theta - kPi / 2.0; };
+    const auto turned = doubt_of(path, with_headings(tour(), across));
+    ASSERT_TRUE(turned);
+    EXPECT_THAT(turned->words(), HasSubstr("are off by -90°"));
+    EXPECT_TRUE(doubt_of(path, with_headings(tour(), backwards)));
+    EXPECT_FALSE(relative_error(path, with_headings(tour(), across), spacing));
+    const auto slightly = [](double theta, double) { return theta + 0.2; };
+    EXPECT_FALSE(doubt_of(path, with_headings(tour(), slightly)));
     EXPECT_TRUE(relative_error(path, tour(), spacing));
     // A robot that turns nowhere, as one on omnidirectional wheels; and a path that missed turns.
     const auto still = [](double, double) { return 0.4; };
