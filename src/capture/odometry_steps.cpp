@@ -113,7 +113,7 @@ Pose OdometrySteps::taken(const OdometryRecord& before, const OdometryRecord& re
     if (steps_a_turn_of_degrees(*before.pose_odom_robot, *record.pose_odom_robot)) {
         if (turns_of_degrees_++ == 0) turn_line_ = record.line;
     }
-    if (makes_up(record, logged)) {
+    if (makes_up(record, logged, seconds)) {
         made_up_.note(logged, record.line);
         longest_halt_s_ = std::max(longest_halt_s_, record.time_s - *under_way_.begin_s);
         after_leap_ = false;
@@ -127,7 +127,7 @@ Pose OdometrySteps::taken(const OdometryRecord& before, const OdometryRecord& re
 }
 
 /// Whether the odometry stopped dead while the robot drove, and this is what it drove meanwhile.
-bool OdometrySteps::makes_up(const OdometryRecord& record, const Pose& step) const {
+bool OdometrySteps::makes_up(const OdometryRecord& record, const Pose& step, double seconds) const {
     constexpr double kLeast = 0.5;     // [m], [rad]: less is no leap either
     constexpr double kTimes = 3.0;     // so many times the step before; some log one pose of many
     constexpr double kShortest = 0.5;  // [s]
@@ -135,7 +135,10 @@ bool OdometrySteps::makes_up(const OdometryRecord& record, const Pose& step) con
     constexpr double kDrives = 0.05;  // [m/s]
     constexpr double kDead = 0.5;     // of the motion before; who brakes comes below that
     constexpr double kRounding = 0.3;
-    constexpr double kTurns = 1.0;  // [rad/s], of those that drove straight on before
+    constexpr double kTurns = 1.0;   // [rad/s], of those that drove straight on before
+    constexpr double kPaces = 3.0;   // of readings: who tells few may have stood for one of them,
+    constexpr double kDriven = 2.0;  // and driven all of it behind the last, not much faster
+    constexpr double kSpeed = 0.5;   // [m/s]
     const UnderWay& known = under_way_;
     if (known.still == 0) return false;
     const double halt_s = record.time_s - *known.begin_s;
@@ -143,6 +146,10 @@ bool OdometrySteps::makes_up(const OdometryRecord& record, const Pose& step) con
     const double way = way_of(step);
     const double turn = std::abs(wrap_angle(step.theta));
     const double known_turn = std::abs(wrap_angle(known.step.theta));
+    const bool seen_still = halt_s - seconds >= kPaces * std::max(seconds, known.seconds);
+    const bool too_fast = way > kDriven * std::max(speed, kSpeed) * seconds ||
+                          turn > kDriven * std::max(std::abs(known.twist.w), kTurns) * seconds;
+    if (!seen_still || !too_fast) return false;
     const bool long_step = (way > kLeast && way > kTimes * way_of(known.step)) ||
                            (turn > kLeast && turn > kTimes * known_turn);
     const bool stopped_dead = motion_of(known.twist) >= std::max(kDrives, kDead * known.before);
@@ -152,13 +159,35 @@ bool OdometrySteps::makes_up(const OdometryRecord& record, const Pose& step) con
            !begins_anew(*record.pose_odom_robot, way, halt_s);
 }
 
+/// Whether a step that would be a leap goes on as the one before it: then it is its stamps that are
+/// too near each other, of scans that were held up, and over both times no robot is that fast.
+bool OdometrySteps::goes_on(const Pose& step, const Pose& pose, double seconds) const {
+    constexpr double kTimes = 3.0;
+    constexpr double kMore = 0.1;  // [m], [rad]
+    constexpr double kShort = 0.2;
+    constexpr double kSpeed = 2.0;  // [m/s], of many robots
+    constexpr double kTurns = 2.5;  // [rad/s]
+    const UnderWay& known = under_way_;
+    const double turn = wrap_angle(step.theta);
+    const double known_turn = wrap_angle(known.step.theta);
+    const double both_s = known.seconds + seconds;
+    const bool one_way = turn * known_turn >= 0.0;
+    const bool alike = way_of(step) <= kTimes * way_of(known.step) + kMore &&
+                       std::abs(turn) <= kTimes * std::abs(known_turn) + kMore;
+    // Of a stamp that stands right behind the one before it, what is usual says more.
+    const bool held_up = seconds <= kShort * known.seconds && way_of(step) <= kSpeed * both_s &&
+                         std::abs(turn) <= kTurns * both_s;
+    return seconds > 0.0 && known.still == 0 && known.seconds > 0.0 && one_way &&
+           (alike || held_up) && !is_leap(compose(known.step, step), pose, both_s);
+}
+
 Pose OdometrySteps::bridged(const OdometryRecord& before, const OdometryRecord& record,
                             double seconds) {
     constexpr double kGoesOn = 1.0;  // as before: longer, nobody knows
     const Pose& pose = *record.pose_odom_robot;
     const Pose logged = between(*before.pose_odom_robot, pose);
     const bool after_leap = after_leap_;
-    after_leap_ = is_leap(logged, pose, seconds);
+    after_leap_ = is_leap(logged, pose, seconds) && !goes_on(logged, pose, seconds);
     if (!after_leap_) return logged;
     if (after_leap) {
         // Back from a single wrong pose; or each step is a leap, as in millimetres.
@@ -186,12 +215,14 @@ void OdometrySteps::learn(const OdometryRecord& before, const OdometryRecord& re
         return;
     }
     const double since_s = record.time_s - *known.begin_s;
-    known = {record.time_s, step, since_s > 0.0 ? twist_between(step, since_s) : Twist{},
-             motion_of(known.twist), 0};
+    known = {record.time_s,          step, since_s > 0.0 ? twist_between(step, since_s) : Twist{},
+             motion_of(known.twist), 0,    since_s};
 }
 
 void OdometrySteps::tell(std::vector<TourFinding>& found, const ReadOptions& read) const {
     using Kind = TourFinding::Kind;
+    // Headings that are none say nothing of steps.
+    if (std::ranges::count(found, Kind::odometry_units, &TourFinding::kind) > 0) return;
     const auto tenths = [](double value) { return std::round(value * 10.0) / 10.0; };
     if (std::optional<TourFinding> doubt = headings_.doubt(read)) {
         found.push_back(*std::move(doubt));
@@ -251,8 +282,8 @@ void OdometrySteps::tell(std::vector<TourFinding>& found, const ReadOptions& rea
               take_it_from_scans()}});
         return;
     }
+    constexpr double kNoWay = 0.05;  // [m]: then only the heading leaps
     if (leaps_.count > in_a_row_) {
-        constexpr double kNoWay = 0.05;  // [m]: then only the heading leaps
         const bool turns = leaps_.longest_m < kNoWay;
         const long degrees = std::lround(leaps_.turn_rad * kDegreesPerRadian);
         found.push_back(
@@ -273,15 +304,24 @@ void OdometrySteps::tell(std::vector<TourFinding>& found, const ReadOptions& rea
              {map_with_registration()}});
     }
     if (made_up_.count > 0) {
+        const bool turns = made_up_.longest_m < kNoWay;
         found.push_back(
             {Kind::leaping_odometry,
              made_up_.longest_m,
-             message(HITOS_TEXT("Errors",
-                                "the odometry stands still while the robot drives, for up to %1 s, "
-                                "and makes up for it in one step, of up to %2 m (line %3), %4 in "
-                                "all; scans of that time lie on one place"),
-                     tenths(longest_halt_s_), tenths(made_up_.longest_m), made_up_.line,
-                     made_up_.count),
+             turns
+                 ? message(HITOS_TEXT("Errors",
+                                      "the odometry stands still while the robot turns, for up to "
+                                      "%1 s, and makes up for it in one step, of up to %2 degrees "
+                                      "(line %3), %4 in all; scans of that time lie on each other"),
+                           tenths(longest_halt_s_),
+                           std::lround(made_up_.turn_rad * kDegreesPerRadian), made_up_.line,
+                           made_up_.count)
+                 : message(HITOS_TEXT("Errors",
+                                      "the odometry stands still while the robot drives, for up to "
+                                      "%1 s, and makes up for it in one step, of up to %2 m (line "
+                                      "%3), %4 in all; scans of that time lie on one place"),
+                           tenths(longest_halt_s_), tenths(made_up_.longest_m), made_up_.line,
+                           made_up_.count),
              {take_it_from_scans()}});
     }
 }

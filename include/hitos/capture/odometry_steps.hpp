@@ -48,6 +48,7 @@ class OdometrySteps {
         Twist twist;
         double before = 0.0;  ///< motion a second, a radian counted as a metre, of the step before
         std::uint64_t still = 0;  ///< readings since then that repeat the pose
+        double seconds = 0.0;     ///< that the step took
     };
     /// How often a step's heading turns 57 times as far as something else says, of those steps
     /// where that would be less than half a turn.
@@ -60,7 +61,9 @@ class OdometrySteps {
         bool are_degrees() const;
     };
     void note_turn(const OdometryRecord& before, const OdometryRecord& record);
-    bool makes_up(const OdometryRecord& record, const Pose& step) const;
+    /// `seconds`: since the reading before.
+    bool makes_up(const OdometryRecord& record, const Pose& step, double seconds) const;
+    bool goes_on(const Pose& step, const Pose& pose, double seconds) const;
     Pose bridged(const OdometryRecord& before, const OdometryRecord& record, double seconds);
     void learn(const OdometryRecord& before, const OdometryRecord& record, const Pose& step);
 

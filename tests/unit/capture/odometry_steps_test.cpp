@@ -96,7 +96,38 @@ TEST(OdometrySteps, ATurnIsMadeUpForToo) {
         text += reading(time, {1, 2, 0.5 * (time > 4.0 && time < 6.0 ? 4.0 : time)});
     }
     EXPECT_NEAR(end_of(text).theta, wrap_angle(0.5 * 9.95), 1e-5);
-    EXPECT_EQ(read_text("radish", text).findings.size(), 1U);
+    const Log log = read_text("radish", text);
+    ASSERT_EQ(log.findings.size(), 1U);
+    EXPECT_THAT(log.findings[0].what.english(), HasSubstr("while the robot turns, for up to 2 s"));
+    EXPECT_THAT(log.findings[0].what.english(), HasSubstr("of up to 57 degrees (line 121)"));
+}
+
+/// A reading a second, and one with each scan; between two of them the robot stands, and turns.
+TEST(OdometrySteps, WhoTellsFewReadingsDoesNotStand) {
+    for (const double turn : {0.0, 0.9}) {
+        Pose pose{1, 2, 0};
+        std::string text = reading(-1, pose);
+        for (int i = 0; i < 60; ++i) {
+            if (i % 6 != 5) pose = compose(pose, {i % 6 == 0 ? 0.7 : 0.1, 0.0, 0.0});
+            if (i % 6 == 0) pose = compose(pose, {0.0, 0.0, turn});
+            text += reading(i, pose);
+            if (i % 2 == 0) text += reading(i + 1e-4, pose);
+        }
+        EXPECT_TRUE(read_text("radish", text).findings.empty()) << turn;
+        expect_near(end_of(text), between({1, 2, 0}, pose), 1e-5, "end");
+    }
+}
+
+/// A reading for every half radian, as of a log that has scans alone; some are stamped late.
+TEST(OdometrySteps, TurnsBetweenStampsThatWaverAreNoLeaps) {
+    Pose pose{1, 2, 0};
+    std::string text = reading(-2.5, pose);
+    for (int i = 0; i < 60; ++i) {
+        pose = compose(pose, {0.1, 0.0, i < 30 ? 0.55 : -0.55});
+        text += reading(2.5 * i + (i % 10 == 4 ? 2.49 : 0.0), pose);
+    }
+    EXPECT_TRUE(read_text("radish", text).findings.empty());
+    expect_near(end_of(text), between({1, 2, 0}, pose), 1e-4, "end");
 }
 
 TEST(OdometrySteps, HeadingsThatStepByATurnOfDegreesAreDegrees) {
