@@ -78,6 +78,7 @@ Transform checked(Transform t) {
             "orientation", length);
     }
     for (double* value : {&t.qx, &t.qy, &t.qz, &t.qw}) *value /= length;
+    t.length = length;
     return t;
 }
 

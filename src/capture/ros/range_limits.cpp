@@ -23,6 +23,7 @@ void RangeLimits::note(const MountedScan& scan, const std::string& topic) {
 
 void RangeLimits::tell(const ReadOptions& options, std::vector<TourFinding>& found) const {
     constexpr double kMost = 0.8;
+    constexpr double kNoLimit = 10.0;  // times what is said: of no such laser
     const auto metres = [](double range) { return fmt::format("{:.4g}", range); };
     for (const auto& [topic, laser] : lasers_) {
         const double share =
@@ -60,8 +61,11 @@ void RangeLimits::tell(const ReadOptions& options, std::vector<TourFinding>& fou
                                 "that it says, where they go on from ray to ray as walls do, and "
                                 "are no points"),
                      std::lround(100.0 * beyond), topic, metres(laser.greatest_m)),
-             {{marked(HITOS_TEXT("Errors", "take them")),
-               set("source.max_range", metres(std::ceil(laser.farthest_m)))}}});
+             {laser.farthest_m > kNoLimit * laser.greatest_m
+                  ? Remedy{marked(HITOS_TEXT(
+                        "Errors", "look what they are: intensities, or of another unit"))}
+                  : Remedy{marked(HITOS_TEXT("Errors", "take them")),
+                           set("source.max_range", metres(std::ceil(laser.farthest_m)))}}});
     }
 }
 

@@ -99,6 +99,8 @@ std::vector<TourFinding> RecordingSource::findings() const {
     std::vector<TourFinding> found = plan_->topics.findings;
     parts_.tell(found);
     limits_.tell(plan_->options, found);
+    odd_odometry_.tell_odometry(found);
+    odd_transforms_.tell_transforms(found);
     BrokenStamps of_scans;
     for (const auto& [laser, arrived] : arrived_scans_) of_scans = of_scans + arrived.broken();
     doubt_broken_stamps(of_scans, arrived_readings_.broken(), found);
@@ -160,13 +162,17 @@ void RecordingSource::take_in_scans(const RecordedMessage& found) {
     };
     if (is_transforms(*found.topic)) {
         const auto transforms = decode_transforms(found.bytes, encoding, told);
+        for (const StampedTransform& one : transforms)
+            odd_transforms_.note(one.transform, found.number);
         for (const auto& [laser, own] : plan_->topics.of_laser) {
             if (std::ranges::count(own.topics, found.topic->name) > 0) {
                 frames_.at(laser).hold(transforms);
             }
         }
     } else if (is_odometry(*found.topic)) {
-        decode_odometry(found.bytes, encoding, told);
+        const OdometryMessage odometry = decode_odometry(found.bytes, encoding, told);
+        odd_odometry_.note(odometry.pose, found.number);
+        if (odometry.twist) odd_odometry_.note_twist();
     } else {
         MountedScan scan = scan_of(found);
         limits_.note(scan, found.topic->name);

@@ -17,6 +17,7 @@
 #include "hitos/capture/stamp_line.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "ros/laser_fan.hpp"
+#include "ros/odd_turns.hpp"
 #include "ros/range_limits.hpp"
 #include "ros/stamp_queue.hpp"
 #include "ros/topic_choice.hpp"
@@ -99,6 +100,8 @@ class RecordingSource final : public Fuente {
     StampQueue<MountedScan> held_scans_;
     TurnParts parts_;
     RangeLimits limits_;
+    OddTurns odd_odometry_;
+    OddTurns odd_transforms_;
     StampLine<Reading> arrived_readings_;
     StampQueue<Reading> held_readings_;
     std::string scan_text_;

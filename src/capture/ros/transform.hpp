@@ -19,6 +19,7 @@ struct Transform {
     double qy = 0.0;
     double qz = 0.0;
     double qw = 1.0;
+    double length = 1.0;  ///< that the quaternion had where it was read
 
     /// The heading of the b frame's x axis in the plane of frame a.
     double yaw() const {

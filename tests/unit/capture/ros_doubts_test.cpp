@@ -227,6 +227,54 @@ TEST_F(DoubtfulRecording, OdometryThatCannotBeReadLeavesTheTransforms) {
     EXPECT_NEAR(test::summed(log.odometry).back().x, 1.0, 1e-12);
 }
 
+/// Its orientation as four numbers of that length, the last of which stands in for 1.
+void make_longer(std::string& bytes, double length) {
+    const double one = 1.0;
+    const std::size_t w = bytes.find(std::string(reinterpret_cast<const char*>(&one), 8));
+    ASSERT_NE(w, std::string::npos);
+    bytes.replace(w, 8, std::string(reinterpret_cast<const char*>(&length), 8));
+}
+
+TEST_F(DoubtfulRecording, QuaternionsOfAnotherLengthAreTold) {
+    for (const auto& [length, told] : {std::pair(1.009, false), std::pair(2.0, true)}) {
+        std::vector<Said> all = robot("", 0.25);
+        for (std::uint32_t i = 0; i < 5; ++i) {
+            std::string& bytes = all[2 + 3 * i].bytes;
+            bytes = test::odometry_message({kDoubtfulBegin + i, 250'000'000}, {7.0 + 0.1 * i, 7.0},
+                                           0.5, 0.25, Bytes::cdr());
+            make_longer(bytes, length);
+        }
+        const Log log = read(all);
+        if (!told) {
+            EXPECT_TRUE(log.findings.empty());
+            continue;
+        }
+        ASSERT_EQ(kinds(log), std::vector{Doubt::odometry_units});
+        EXPECT_THAT(log.findings[0].what.english(),
+                    HasSubstr("of 5 of 5 odometry readings is no quaternion of length 1 (of length "
+                              "2 in message 3), as where nobody divided by it"));
+        EXPECT_TRUE(log.findings[0].remedies.at(0).settings.empty());
+    }
+}
+
+TEST_F(DoubtfulRecording, HeadingsInPlaceOfQuaternionsAreTold) {
+    std::vector<Said> all = robot("", 0.25);
+    for (std::uint32_t i = 0; i < 5; ++i) {
+        std::string& bytes = all[2 + 3 * i].bytes;
+        bytes = test::odometry_message({kDoubtfulBegin + i, 250'000'000}, {0.1 * i, 0.0}, 0.5, 0.25,
+                                       Bytes::cdr());
+        const double one = 1.0;
+        const std::size_t w = bytes.find(std::string(reinterpret_cast<const char*>(&one), 8));
+        ASSERT_NE(w, std::string::npos);
+        const double heading = 0.4 * (i + 1);
+        bytes.replace(w - 8, 8, std::string(reinterpret_cast<const char*>(&heading), 8));
+    }
+    const Log log = read(all);
+    ASSERT_EQ(kinds(log), std::vector{Doubt::odometry_units});
+    EXPECT_THAT(log.findings[0].what.english(), HasSubstr("as where a heading was written into z"));
+    EXPECT_THAT(advice_of(log.findings[0]).english(), HasSubstr("source.odometry=velocities"));
+}
+
 TEST_F(DoubtfulRecording, TransformsOfAnotherRobotAreNotTakenUnnoticed) {
     std::vector<Said> all = robot("/one", 0.25);
     for (const Said& said : robot("/two", 0.5)) all.push_back(said);
