@@ -11,6 +11,12 @@ constexpr std::size_t kDistinctRays = 5;
 constexpr std::size_t kRepetitions = 10;
 constexpr std::size_t kTimesMoreThanAnother = 3;
 
+long decimetre(double range_m) {
+    constexpr double kPerMetre = 10.0;
+    constexpr double kFarthest = 1e3;  // of what else is there
+    return static_cast<long>(std::clamp(range_m, 0.0, kFarthest) * kPerMetre);
+}
+
 }  // namespace
 
 void GreatestRanges::note(double range_m, std::size_t ray) {
@@ -32,6 +38,7 @@ void GreatestRanges::note(double range_m, std::size_t ray) {
             ++own.below;
         }
     }
+    ++by_decimetre_[decimetre(range_m)];
     const long place = std::lround(std::min(range_m, kFarthest) * kPerMetre);
     if (!by_millimetre_.empty()) {
         const long greatest = by_millimetre_.rbegin()->first;
@@ -59,6 +66,13 @@ std::optional<GreatestRanges::Code> GreatestRanges::codes_of_rays() const {
     }
     if (rays < kDistinctRays || rays * kOneIn < by_ray_.size()) return std::nullopt;
     return code;
+}
+
+std::size_t GreatestRanges::beyond(double range_m) const {
+    std::size_t count = 0;
+    for (auto at = by_decimetre_.upper_bound(decimetre(range_m)); at != by_decimetre_.end(); ++at)
+        count += at->second;
+    return count;
 }
 
 std::optional<GreatestRanges::Code> GreatestRanges::code() const {

@@ -3,6 +3,7 @@
 // puts them.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "hitos/capture/tour_examination.hpp"
 #include "hypothesis_search.hpp"
@@ -135,6 +136,14 @@ TourExamination::Pairs TourExamination::some_pairs(std::size_t asked) const {
     return some;
 }
 
+TourExamination::Pairs TourExamination::of_odometry(const Pairs& pairs,
+                                                    const Hypothesis& hypothesis) const {
+    Pairs some;
+    std::ranges::copy_if(pairs, std::back_inserter(some),
+                         [&](const Pair* pair) { return step_of(*pair, hypothesis).has_value(); });
+    return some;
+}
+
 std::optional<double> TourExamination::agreement(const Pairs& asked, const Hypothesis& hypothesis,
                                                  double least) const {
     constexpr std::size_t kLeastPairs = 10;
@@ -161,7 +170,7 @@ std::optional<double> TourExamination::agreement(const Hypothesis& hypothesis) c
     return agreement(some_pairs(pairs_.size()), hypothesis);
 }
 
-double TourExamination::way_shown(double range_scale, double fan_scale) const {
+double TourExamination::way_shown(double range_scale, double fan_scale, double least) const {
     constexpr std::size_t kAsked = 128;
     const Point2 laser{fan_.pose_robot_laser.x, fan_.pose_robot_laser.y};
     // In the readings' unit: so much longer is the way, and so much farther off sits the laser.
@@ -175,7 +184,7 @@ double TourExamination::way_shown(double range_scale, double fan_scale) const {
     const Pairs pairs = some_pairs(kAsked);
     const double fits = agreement(pairs, hypothesis).value_or(0.0);
     hypothesis.scale = 0.0;
-    return fits < kLeastFit ? 0.0 : fits - agreement(pairs, hypothesis).value_or(fits);
+    return fits < least ? 0.0 : fits - agreement(pairs, hypothesis).value_or(fits);
 }
 
 }  // namespace hitos

@@ -148,6 +148,7 @@ std::optional<TourFinding> TourExamination::changing_clock(const Pairs& pairs,
     };
     BestFit drifting = from(table.drifting(kMostGained), &Hypothesis::gained, 1.0 / seconds);
     BestFit set = from(table.set(kSideClearly), &Hypothesis::set_by_s, 1.0);
+    if (!may_be_set(set.hypothesis)) set.agreement = 0.0;
     const double gained_s = drifting.hypothesis.gained * seconds;
     if (std::abs(gained_s) < kShortestDelay) drifting.agreement = 0.0;
     if (std::abs(set.hypothesis.set_by_s) < kShortestDelay) set.agreement = 0.0;
@@ -191,6 +192,32 @@ std::optional<TourFinding> TourExamination::changing_clock(const Pairs& pairs,
                 seconds_words(best.hypothesis.delay_s), seconds_words(end_s),
                 percent(best.agreement), percent(agreement(pairs, asked).value_or(0.0))),
         add_to_times(read_, {{0.0, best.hypothesis.delay_s}, {std::round(seconds), end_s}})};
+}
+
+bool TourExamination::may_be_set(const Hypothesis& set) const {
+    constexpr double kNear = 0.35;   // [s]: of a turn nobody knows better
+    constexpr double kAround = 0.1;  // of the tour
+    const double around_s =
+        std::max(10.0, kAround * (last_scan_s_ - first_scan_s_));  // where it was set
+    const auto near = [&](double at_s) { return std::abs(at_s - set.set_at_s) <= around_s; };
+    // What the next stamp is off the one before it.
+    const double by_s = period_s() - set.set_by_s;
+    const bool noted = by_s < -kNear || by_s > kLeastLeap + kNear || period_s() < kLeastLeap;
+    if (!noted || stamp_leaps_.size() == kMostLeaps) return true;
+    if (std::ranges::any_of(stamp_leaps_, [&](const StampLeap& leap) {
+            return near(leap.after_s) && std::abs(leap.by_s - by_s) <= kNear;
+        })) {
+        return true;
+    }
+    // Of the odometry's clock: time passes in which it has no reading.
+    for (std::size_t i = 1; i < path_.size(); ++i) {
+        const double gap_s = path_[i].time_s - path_[i - 1].time_s;
+        if (near(path_[i].time_s + set.delay_s) && std::abs(gap_s - set.set_by_s) <= kNear &&
+            gap_s > kLeastLeap) {
+            return true;
+        }
+    }
+    return false;
 }
 
 BestFit TourExamination::best_leaps(const Pairs& pairs, unsigned begin, unsigned offered) const {

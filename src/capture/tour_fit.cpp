@@ -29,7 +29,16 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
     constexpr std::size_t kAsked = 128;
     const Pairs pairs = some_pairs(kAsked);
     const Fit fit(*this, pairs);
-    const BestFit late = best_delay(fit, apart != 0.0 ? path_.front().time_s - first_scan_s_ : 0.0);
+    BestFit late = best_delay(fit, apart != 0.0 ? path_.front().time_s - first_scan_s_ : 0.0);
+    // Clocks that are minutes apart, and the tour longer: either both begin together, or both end.
+    constexpr double kFarOff = 30.0;  // [s]: nearer is looked for already
+    constexpr double kFarSurer = 0.1;
+    for (const double middle :
+         {path_.front().time_s - first_scan_s_, path_.back().time_s - last_scan_s_}) {
+        if (apart != 0.0 || std::abs(middle) < kFarOff) continue;
+        const BestFit far = best_delay(fit, middle);
+        if (far.agreement > late.agreement + kFarSurer) late = far;
+    }
     const double delay_s = late.hypothesis.delay_s;
     if (apart != 0.0) {
         Message when =
@@ -104,7 +113,8 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
     if (mounted.agreement > late.agreement) doubt_mounting(fit, told, mounted, found);
     if (found.size() > before) return;
     if (late.agreement >= kLeastFit && beats_standing(late.agreement) &&
-        late.agreement >= told + kClearly && std::abs(delay_s) >= kShortestDelay) {
+        late.agreement >= told + kClearly && std::abs(delay_s) >= kShortestDelay &&
+        fits_throughout(pairs, late.hypothesis)) {
         if (std::optional<TourFinding> slow = turning_clock(
                 turning, agreement(turning.pairs, closely(late.hypothesis)).value_or(0.0))) {
             found.push_back(*std::move(slow));
@@ -131,6 +141,31 @@ void TourExamination::doubt_fit(std::vector<TourFinding>& found) const {
     doubt_turning(found);
 }
 
+/// Whether that is so from the tour's begin to its end, and closely too: by chance, where few scans
+/// are asked and hundreds of times, some part of them fits another time. Only those that both put
+/// into the odometry are asked.
+bool TourExamination::fits_throughout(const Pairs& pairs, const Hypothesis& other) const {
+    constexpr std::size_t kLeast = 10;
+    constexpr double kBetter = 0.02;
+    constexpr double kFarBetter = 0.2;
+    constexpr double kCloser = 1.1;
+    const Pairs both = of_odometry(of_odometry(pairs, other), {});
+    if (both.size() < 2 * kLeast) {  // what shares little time says little
+        const Fit fit(*this, pairs);
+        return fit(other) >= fit({}) + kFarBetter;
+    }
+    const Fit all(*this, both);
+    if (all(other) < all({}) + kClearly || all(closely(other)) < kCloser * all(closely())) {
+        return false;
+    }
+    const auto half = both.begin() + static_cast<std::ptrdiff_t>(both.size() / 2);
+    for (const Pairs& part : {Pairs(both.begin(), half), Pairs(half, both.end())}) {
+        const Fit fit(*this, part);
+        if (fit(other) < fit({}) + kBetter) return false;
+    }
+    return true;
+}
+
 /// Whether so many points fit that the odometry says more than that the robot stands: by chance,
 /// and of slow robots, many do.
 bool TourExamination::beats_standing(double share) const {
@@ -142,6 +177,7 @@ bool TourExamination::beats_standing(double share) const {
 /// Whether nothing explains that the scans do not fit.
 void TourExamination::doubt_whole(std::vector<TourFinding>& found) const {
     constexpr double kLooksAlike = 0.8;  // from everywhere, as in a corridor
+    if (has_few_rays()) return;
     const double told = agreement(Hypothesis{}).value_or(1.0);
     if (told > kLooksAlike || beats_standing(told)) return;
     if (doubt_turning_rate(found)) return;
@@ -197,6 +233,7 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
     constexpr double kAround = 0.15;
     constexpr int kAroundSteps = 30;
     constexpr int kFarSteps = 51;  // to a twelfth, and to twelve times; beyond are units alone
+    if (has_few_rays()) return;
     // Over the way of a pair a tenth is a few centimetres.
     const Hypothesis asked = closely();
     const Fit fit(*this, some_pairs(pairs_.size()));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "hitos/base/median.hpp"
 #include "hypothesis_search.hpp"
 #include "remedies.hpp"
 #include "turned_step.hpp"
@@ -85,13 +86,16 @@ std::vector<TourExamination::Motion> TourExamination::motions() const {
 double TourExamination::slipped_m(const Pair& pair) const {
     constexpr double kStands = 0.05;  // [m]
     constexpr double kTurns = 0.5;    // [rad]: then other walls are seen
+    constexpr double kOfFan = 0.2;
+    constexpr double kTimes = 2.0;
     constexpr double kNothing = 0.1;
     constexpr double kFits = 0.3;
     constexpr double kLeast = 0.5;  // [m]
     constexpr double kStep = 0.1;
     constexpr int kSteps = 60;
     const std::optional<Pose> told = step_of(pair, {});
-    if (!told || std::hypot(told->x, told->y) > kStands || std::abs(told->theta) > kTurns)
+    const double most_rad = std::min(kTurns, kOfFan * pair.first.span_rad);
+    if (!told || std::hypot(told->x, told->y) > kStands || std::abs(told->theta) > most_rad)
         return 0.0;
     const Hypothesis near = near_walls();
     const auto fit = [&](double way_m) {
@@ -109,7 +113,11 @@ double TourExamination::slipped_m(const Pair& pair) const {
         best = fits;
         way_m = i * kStep;
     }
-    return std::abs(way_m) < kLeast ? 0.0 : way_m;
+    // Wheels slip at a speed at which they drive; far off it is another wall that fits.
+    const double most_m =
+        kTimes * static_cast<double>(median(speeds_)) * (pair.second.time_s - pair.first.time_s) +
+        kLeast;
+    return std::abs(way_m) < kLeast || std::abs(way_m) > most_m ? 0.0 : way_m;
 }
 
 /// Wheels that slip for a while, or a robot that is pushed: the scans move on, and the odometry
@@ -210,6 +218,12 @@ bool TourExamination::doubt_dead(std::vector<TourFinding>& found) const {
 /// Odometry that is wrong from scan to scan, now this way and now that: of stamps that waver, or
 /// poses that are rounded.
 void TourExamination::doubt_motion(std::vector<TourFinding>& found) const {
+    constexpr double kSlow = 0.4;  // [s] from reading to reading: between them nobody knows
+    const double odometry_s = path_.size() < 2
+                                  ? 0.0
+                                  : (path_.back().time_s - path_.front().time_s) /
+                                        static_cast<double>((path_.size() - 1) * path_stride_);
+    if (has_few_rays() || odometry_s > kSlow) return;
     constexpr std::size_t kLeastPairs = 10;
     constexpr double kMost = 0.17;    // of what is driven; of sound robots up to a tenth
     constexpr double kDiffers = 0.1;  // a pair, a radian counted as a metre [m]

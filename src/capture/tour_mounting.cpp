@@ -169,10 +169,54 @@ bool TourExamination::doubt_slight_turn(const Fit& fit, std::vector<TourFinding>
     Hypothesis driven_nowhere = closely();
     driven_nowhere.scale = 0.0;
     const double told = fit(closely());
-    const double least = std::max({kLeastFit, told + kClearly, fit(driven_nowhere) + kClearly});
-    if (best.agreement < least) return false;
+    // Where scans lie far from each other few of their points lie close, by the right turn too.
+    constexpr double kLeastFar = 0.15;
+    constexpr double kTimes = 1.25;
+    constexpr double kMore = 0.02;
+    const double other = std::max(told, fit(driven_nowhere));
+    const bool stands_out = best.agreement >= std::max(kLeastFar, kTimes * other + kMore);
+    if (!stands_out && best.agreement < std::max(kLeastFit, other + kClearly)) return false;
     tell_mounting(fit, told, best, found);
     return true;
+}
+
+void TourExamination::doubt_place(std::vector<TourFinding>& found) const {
+    constexpr double kFarthest = 5.0;  // [m]
+    constexpr double kBetter = 0.03;
+    const Pose& said = fan_.pose_robot_laser;
+    const double off_m = std::hypot(said.x, said.y);
+    if (!(off_m > kFarthest)) return;
+    constexpr std::size_t kAsked = 128;
+    const Fit fit(*this, some_pairs(kAsked));
+    const auto placed = [&](double scale) {
+        Hypothesis other = closely();
+        other.shift = {(scale - 1.0) * said.x, (scale - 1.0) * said.y};
+        return other;
+    };
+    const double told = fit(closely());
+    double times = 1.0;
+    double best = told + kBetter;
+    for (const double scale : {0.001, 0.01, 0.0}) {
+        const double fits = fit(placed(scale));
+        if (fits <= best) continue;
+        best = fits;
+        times = scale;
+    }
+    if (times == 1.0 && told >= kLeastFit) return;  // a large one
+    Remedy remedy{marked(HITOS_TEXT("Errors", "say where it sits: --laser-pose"))};
+    if (times != 1.0) {
+        const Pose meant{times * said.x, times * said.y, said.theta};
+        remedy = {marked(HITOS_TEXT("Errors", "so the scans fit the odometry better")),
+                  laser_at({meant, fan_.upside_down})};
+    }
+    found.push_back({Kind::misplaced_laser,
+                     off_m,
+                     message(HITOS_TEXT("Errors",
+                                        "the laser is said to sit %1 m from the robot's middle, "
+                                        "farther than a robot is large: walls go round in circles "
+                                        "where it turns"),
+                             fmt::format("{:.4g}", off_m)),
+                     {std::move(remedy)}});
 }
 
 /// Whether it is headings or positions that count the other way: by how the scans turn.

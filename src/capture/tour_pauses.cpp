@@ -62,6 +62,18 @@ void TourExamination::note_pause(const Scan& scan) {
     pauses_.push_back({{view_of(before), view_of(scan)}, scan.line - lines_before_});
 }
 
+bool TourExamination::goes_in_one_step(double begin_s, double end_s, double way) const {
+    constexpr double kMost = 0.5;
+    auto at = std::ranges::upper_bound(path_, begin_s, {}, &StampedPose::time_s);
+    if (at == path_.begin()) return false;
+    double longest = 0.0;
+    for (; at != path_.end(); ++at) {
+        longest = std::max(longest, motion_between((at - 1)->pose, at->pose));
+        if (at->time_s >= end_s) break;
+    }
+    return longest >= kMost * way;
+}
+
 /// Where nothing was seen for long, and what is seen then does not lie where the odometry puts it.
 std::optional<TourFinding> TourExamination::unseen_way(const Pause& pause, const Pose& step) const {
     constexpr double kShortest = 5.0;    // [s]
@@ -122,6 +134,10 @@ std::optional<TourFinding> TourExamination::begun_anew(const Pause& pause, const
     const double fits = fit_of(stood);
     if (fits < std::max(kOnePlace, told + kFarBetter) || motion_between({}, stood) > kPassedOver ||
         motion_between(stood, step) < kMoved) {
+        return {};
+    }
+    if (!goes_in_one_step(pause.scans.first.time_s, pause.scans.second.time_s,
+                          motion_between(stood, step))) {
         return {};
     }
     const Pose off = between(stood, step);

@@ -256,12 +256,22 @@ void TourExamination::doubt_lost_rays(std::vector<TourFinding>& found) const {
 /// with the robot.
 std::optional<TourFinding> TourExamination::taken_for_walls() const {
     constexpr double kLeastShare = 0.002;
+    constexpr double kShortest = 1.0;  // [m]
+    constexpr double kAlike = 0.7;
+    constexpr double kBeyond = 0.5;
     constexpr double kParts = 100.0;  // of a metre
     std::optional<GreatestRanges::Code> code = greatest_.code();
     const bool of_rays = !code && (code = greatest_.codes_of_rays()).has_value();
     if (!code) return std::nullopt;
     const double share = static_cast<double>(code->times) / static_cast<double>(sampled_);
     if (share < kLeastShare) return std::nullopt;
+    // No laser's reach is so short, nor so unlike from ray to ray: it is the robot, or the ground;
+    // and what lies beyond would be left out with it.
+    if (code->least_m < kShortest || code->least_m < kAlike * code->range_m ||
+        static_cast<double>(greatest_.beyond(code->range_m)) >
+            kBeyond * static_cast<double>(code->times)) {
+        return std::nullopt;
+    }
     return TourFinding{
         Kind::no_return,
         code->range_m,

@@ -100,7 +100,15 @@ bool TourExamination::doubt_drift(std::initializer_list<Hypothesis> otherwise,
     constexpr double kPerSecond = 0.3 * kRadiansPerDegree;
     constexpr double kPerMetre = 1.0 * kRadiansPerDegree;
     constexpr double kSlight = 2.0;  // steps
+    constexpr int kDegrees = 12;
     const Fit fit(*this, some_pairs(pairs_.size()));
+    // A laser that is turned a little sees the same at first sight: it moves aside with the way.
+    BestFit turned{closely()};
+    for (int degrees = -kDegrees; degrees <= kDegrees; ++degrees) {
+        Hypothesis other = closely();
+        other.turn_rad = degrees * kRadiansPerDegree;
+        turned.try_out(fit, other);
+    }
     BestFit by_time{closely()};
     BestFit by_way{closely()};
     for (int i = -kSteps; i <= kSteps; ++i) {
@@ -120,7 +128,7 @@ bool TourExamination::doubt_drift(std::initializer_list<Hypothesis> otherwise,
         best.agreement < kLeast || beaten_by(told) ||
         std::ranges::any_of(
             otherwise, [&](const Hypothesis& other) { return beaten_by(fit(closely(other))); }) ||
-        beaten_by(best_turn_scale(fit).agreement)) {
+        beaten_by(best_turn_scale(fit).agreement) || best.agreement < turned.agreement) {
         return false;
     }
     const std::string degrees = fmt::format("{:.1f}", std::abs(rate) * kDegreesPerRadian);
@@ -142,6 +150,29 @@ bool TourExamination::doubt_drift(std::initializer_list<Hypothesis> otherwise,
                          degrees, side, percent(best.agreement), percent(told)),
          {map_with_registration(), take_it_from_scans()}});
     return true;
+}
+
+/// Whether the pairs agree on a scale of turns. Where each turn is off by itself, all of them fit
+/// best where they are made smaller, which mends none of them.
+bool TourExamination::is_scale_of_each(const Pairs& pairs, double scale) const {
+    constexpr int kSteps = 20;
+    constexpr double kStep = 1.04;
+    constexpr double kSame = 0.1;
+    std::vector<double> off;
+    for (const Pair* pair : pairs) {
+        double best = 0.0;
+        double highest = 0.0;
+        for (int i = -kSteps; i <= kSteps; ++i) {
+            Hypothesis other = closely();
+            other.pair_turn_scale = scale * std::pow(kStep, i);
+            const double fits = agreement(*pair, other).value_or(0.0);
+            if (fits <= highest) continue;
+            highest = fits;
+            best = std::abs(i) * std::log(kStep);
+        }
+        if (highest > 0.0) off.push_back(best);
+    }
+    return !off.empty() && median(std::move(off)) <= kSame;
 }
 
 /// Of what fits turns clearly better than what the tour says, the best.
@@ -189,7 +220,26 @@ void TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
         constexpr double kNear = 0.2;  // [m]
         const Point2 shift = placed.hypothesis.shift;
         const double off_m = std::hypot(shift.x, shift.y);
-        if (off_m < kNear) return;
+        // Farther than a robot is large it is another thing, as readings that are no metres.
+        constexpr double kFar = 1.5;
+        if (off_m < kNear || off_m > kFar) return;
+        constexpr double kDecimetre = 0.1;
+        constexpr double kLeastShown = 0.12;
+        constexpr double kStandsOut = 0.03;
+        if (way_shown(kDecimetre, 1.0, kLeastShown) >
+            std::max(0.0, way_shown(1.0, 1.0, kLeastShown)) + kStandsOut) {
+            found.push_back(
+                {Kind::laser_units,
+                 static_cast<double>(median(medians_)),
+                 message(HITOS_TEXT("Errors",
+                                    "half of the readings are beyond %1 m, and by the odometry "
+                                    "they are %2; the map is that many times too large"),
+                         fmt::format("{:.0f}", median(medians_)),
+                         marked(HITOS_TEXT("Errors", "decimetres"))),
+                 {{marked(HITOS_TEXT("Errors", "read them as such")),
+                   WholeValues(read_).range_scale(kDecimetre)}}});
+            return;
+        }
         Pose laser = fan_.pose_robot_laser;
         laser.x += shift.x;
         laser.y += shift.y;
@@ -211,6 +261,7 @@ void TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
     constexpr int kSteps = 16;
     double scale = turned.hypothesis.pair_turn_scale;
     if (std::abs(scale - 1.0) < kNearlyOne) return;
+    if (!is_scale_of_each(turning.pairs, scale)) return;
     scale *= 1.0 + middle_offset(fit, kAround, kSteps, [&](double off) {
                  Hypothesis other = turned.hypothesis;
                  other.pair_turn_scale *= 1.0 + off;

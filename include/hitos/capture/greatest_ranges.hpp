@@ -32,6 +32,9 @@ class GreatestRanges {
     /// below it. The greatest and least of these codes, and how often they came.
     std::optional<Code> codes_of_rays() const;
 
+    /// How many readings lie beyond, by whole decimetres.
+    std::size_t beyond(double range_m) const;
+
   private:
     struct OfRay {
         double greatest_m = 0.0;
@@ -46,6 +49,7 @@ class GreatestRanges {
         std::set<std::size_t> rays = {};  ///< some of them
     };
     std::map<long, Counted> by_millimetre_;
+    std::map<long, std::size_t> by_decimetre_;
 };
 
 }  // namespace hitos

@@ -73,7 +73,8 @@ class TourExamination {
     /// How much more of the points lie there, closely, than if the robot had driven nowhere, were
     /// the ranges so many metres for one: of a scale that is too large the way tells nothing. And
     /// were the rays' angles so many times as wide.
-    double way_shown(double range_scale, double fan_scale = 1.0) const;
+    /// Nothing where fewer than `least` fit.
+    double way_shown(double range_scale, double fan_scale = 1.0, double least = 0.4) const;
 
   private:
     /// A scan as the laser saw it: ranges by direction, of a whole turn, as its rays part it.
@@ -145,9 +146,13 @@ class TourExamination {
     double period_s() const;
     /// What is added to a scan of that stamp where these leaps are undone.
     double undone_s(unsigned leaps, double stamp_s) const;
+    /// Whether the stamps of scans or odometry may be of a clock that was set so: they leap then.
+    bool may_be_set(const Hypothesis& set) const;
     /// Nothing too where it becomes clear that it is below `least`.
     std::optional<double> agreement(const Pairs& pairs, const Hypothesis& hypothesis,
                                     double least = 0.0) const;
+    /// Those of which the odometry says, with this hypothesis, how the robot moved.
+    Pairs of_odometry(const Pairs& pairs, const Hypothesis& hypothesis) const;
     /// At least as many as are asked, where there are so many, evenly over the tour.
     Pairs some_pairs(std::size_t asked) const;
     void doubt_mounting(const Fit& fit, double told, const BestFit& mounted,
@@ -192,6 +197,11 @@ class TourExamination {
     bool doubt_dead(std::vector<TourFinding>& found) const;
     void doubt_motion(std::vector<TourFinding>& found) const;
     bool beats_standing(double share) const;
+    bool is_scale_of_each(const Pairs& pairs, double scale) const;
+    bool fits_throughout(const Pairs& pairs, const Hypothesis& other) const;
+    /// Of which so few lie on a wall that by chance any motion fits.
+    bool has_few_rays() const { return fan_.count > 0 && fan_.count < kManyRays; }
+    static constexpr std::uint32_t kManyRays = 90;
     void doubt_same_scans(std::vector<TourFinding>& found) const;
     void doubt_whole(std::vector<TourFinding>& found) const;
     bool doubt_drift(std::initializer_list<Hypothesis> otherwise,
@@ -203,6 +213,10 @@ class TourExamination {
     void doubt_stamps(std::vector<TourFinding>& found) const;
     void doubt_self_hits(std::vector<TourFinding>& found) const;
     void doubt_heading(std::vector<TourFinding>& found) const;
+    /// A laser that is said to sit where no robot reaches.
+    void doubt_place(std::vector<TourFinding>& found) const;
+    /// Whether the odometry goes most of a way from one reading to the next, and does not drive it.
+    bool goes_in_one_step(double begin_s, double end_s, double way) const;
     void settle_axes(TourFinding& told) const;
     void doubt_pauses(std::vector<TourFinding>& found) const;
     std::optional<TourFinding> begun_anew(const Pause& pause, const Pose& step) const;
@@ -272,6 +286,8 @@ class TourExamination {
         double by_s = 0.0;       ///< to the next
         double elapsed_s = 0.0;  ///< of the tour before it, as ScanClock counts
     };
+    static constexpr double kLeastLeap = 0.25;  ///< ahead [s]; back all are
+    static constexpr std::size_t kMostLeaps = 16;
     std::vector<StampLeap> stamp_leaps_;  ///< the longest ones, in their order
     double last_stamp_s_ = 0.0;           ///< of the newest line,
     double elapsed_s_ = 0.0;              ///< and of the tour there

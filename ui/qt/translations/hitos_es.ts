@@ -3693,6 +3693,62 @@
         <source>is too short for copy %1, which leaves out the first %2 scans; ask for fewer copies</source>
         <translation>es demasiado corto para la copia %1, que omite los %2 primeros barridos; pida menos copias</translation>
     </message>
+    <message>
+        <source>the odometry stands still while the robot turns, for up to %1 s, and makes up for it in one step, of up to %2 degrees (line %3), %4 in all; scans of that time lie on each other</source>
+        <translation>la odometría se queda quieta mientras el robot gira, hasta %1 s, y lo recupera en un solo paso, de hasta %2 grados (línea %3), %4 en total; los barridos de ese tiempo quedan unos sobre otros</translation>
+    </message>
+    <message>
+        <source>as where a heading was written into z</source>
+        <translation>como cuando en z se escribió un rumbo</translation>
+    </message>
+    <message>
+        <source>as where nobody divided by it</source>
+        <translation>como cuando nadie dividió por ella</translation>
+    </message>
+    <message>
+        <source>as where angles were written into it, or its four numbers are not of one turn</source>
+        <translation>como cuando se escribieron ángulos en él, o sus cuatro números no son de un mismo giro</translation>
+    </message>
+    <message>
+        <source>the orientation of %1 of %2 %3 is no quaternion of length 1 (of length %4 in message %5), %6</source>
+        <translation>la orientación de %1 de %2 %3 no es un cuaternión de longitud 1 (de longitud %4 en el mensaje %5), %6</translation>
+    </message>
+    <message>
+        <source>let its program write (0, 0, sin, cos) of half the heading</source>
+        <translation>que su programa escriba (0, 0, sen, cos) de la mitad del rumbo</translation>
+    </message>
+    <message>
+        <source>transforms</source>
+        <translation>transformaciones</translation>
+    </message>
+    <message>
+        <source>let its program write (0, 0, sin, cos) of half the turn, or say where the laser sits: --laser-pose x,y,degrees</source>
+        <translation>que su programa escriba (0, 0, sen, cos) de la mitad del giro, o diga dónde está el láser: --laser-pose x,y,grados</translation>
+    </message>
+    <message>
+        <source>look what they are: intensities, or of another unit</source>
+        <translation>mire qué son: intensidades, o de otra unidad</translation>
+    </message>
+    <message>
+        <source>by the odometry the robot mostly drives at %1 m/s, which none of its kind does, and half of the readings are beyond %2 m: both are no metres</source>
+        <translation>según la odometría el robot va casi siempre a %1 m/s, como no va ninguno de su clase, y la mitad de las lecturas están más allá de %2 m: ni lo uno ni lo otro son metros</translation>
+    </message>
+    <message>
+        <source>say where it sits: --laser-pose</source>
+        <translation>diga dónde está: --laser-pose</translation>
+    </message>
+    <message>
+        <source>so the scans fit the odometry better</source>
+        <translation>así los barridos encajan mejor con la odometría</translation>
+    </message>
+    <message>
+        <source>the laser is said to sit %1 m from the robot&apos;s middle, farther than a robot is large: walls go round in circles where it turns</source>
+        <translation>se dice que el láser está a %1 m del centro del robot, más lejos de lo que mide un robot: las paredes dan vueltas donde gira</translation>
+    </message>
+    <message>
+        <source>decimetres</source>
+        <translation>decímetros</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
