@@ -220,9 +220,11 @@ void TourExamination::doubt_turning(std::vector<TourFinding>& found) const {
         constexpr double kNear = 0.2;  // [m]
         const Point2 shift = placed.hypothesis.shift;
         const double off_m = std::hypot(shift.x, shift.y);
-        // Farther than a robot is large it is another thing, as readings that are no metres.
+        // Where it would sit farther off than a robot is large it is another thing, as readings
+        // that are no metres.
         constexpr double kFar = 1.5;
-        if (off_m < kNear || off_m > kFar) return;
+        const Pose& said = fan_.pose_robot_laser;
+        if (off_m < kNear || std::hypot(said.x + shift.x, said.y + shift.y) > kFar) return;
         constexpr double kDecimetre = 0.1;
         constexpr double kLeastShown = 0.12;
         constexpr double kStandsOut = 0.03;

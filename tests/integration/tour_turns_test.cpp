@@ -70,6 +70,18 @@ TEST_P(OfTurns, ALaserThatSitsElsewhereIsTold) {
     }
 }
 
+TEST_P(OfTurns, ALaserThatIsSaidToSitFarOffAndDoesNotIsTold) {
+    constexpr double kSaid = 2.0;
+    Readings moved = tour_;
+    for (Scan& scan : moved.scans) {
+        scan.fan.pose_robot_laser.x += kSaid;
+        for (Point2& point : scan.points) point.x += kSaid;
+    }
+    const auto found = moved.of_kind(Kind::misplaced_laser);
+    ASSERT_TRUE(found) << moved.said();
+    EXPECT_NEAR(found->value, kSaid, 0.1);
+}
+
 INSTANTIATE_TEST_SUITE_P(Worlds, OfTurns,
                          testing::Values("recinto", "bigloop", "bigloop2", "complex", "usc-sal"),
                          [](const auto& world) {
