@@ -9167,6 +9167,10 @@
         <source>As it is at its end, scan %1</source>
         <translation>Como queda en su final, barrido %1</translation>
     </message>
+    <message>
+        <source>%1 is in that folder and of no run: it would be written over. Choose another folder.</source>
+        <translation>%1 está en esa carpeta y no es de ninguna ejecución: se sobrescribiría. Elija otra carpeta.</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::RunControls</name>
