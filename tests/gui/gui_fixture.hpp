@@ -22,6 +22,7 @@
 #include "actions/result_actions.hpp"
 #include "app/main_window.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "look/written_number.hpp"
 #include "views/grid_view.hpp"
 #include "views/map_window.hpp"
 #include "views/scan_view.hpp"
@@ -158,6 +159,14 @@ struct WindowFixture {
     Progress::State state() const { return session.progress().state; }
     quint64 steps() const { return session.progress().steps; }
     bool shows_everything() const { return session.up_to_date(); }
+};
+
+/// In a country that writes decimal commas.
+struct DecimalCommas {
+    DecimalCommas() { set_decimal_comma(true); }
+    ~DecimalCommas() { set_decimal_comma(false); }
+    DecimalCommas(const DecimalCommas&) = delete;
+    DecimalCommas& operator=(const DecimalCommas&) = delete;
 };
 
 /// On the ready tour.

@@ -128,7 +128,11 @@ void MeasureTest::truth_is_the_reference_maps_or_written() {
     QVERIFY(std::abs(rows(f)[0].truth.value() - 3.0) < 1e-9);
     QCOMPARE(words_in(f, 0, MeasurementModel::truth), QString("3.000 m"));
     QVERIFY(f.window->findChild<QLabel*>("measurement_means")->text().contains("%"));
-    QVERIFY(write_into(f, 0, MeasurementModel::truth, "2,5"));
+    QVERIFY(!write_into(f, 0, MeasurementModel::truth, "2,500"));  // metres, or kilometres?
+    {
+        const DecimalCommas commas;
+        QVERIFY(write_into(f, 0, MeasurementModel::truth, "2,5"));
+    }
     QCOMPARE(rows(f)[0].truth.value(), 2.5);
     const double slam = rows(f)[0].slam.value.value();
     QVERIFY(std::abs(rows(f)[0].error_percent().value() - 100.0 * (slam - 2.5) / 2.5) < 1e-9);

@@ -15,6 +15,7 @@
 #include <QTimer>
 #include <QTreeWidget>
 #include <chrono>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -23,6 +24,7 @@
 #include "gui_fixture.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/capture/odometry_axes.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "look/parameter_text.hpp"
 #include "session/background.hpp"
 #include "tests.hpp"
@@ -169,6 +171,59 @@ void SourceTest::why_no_scan_can_be_read_is_told() {
     QVERIFY2(verdict(dialog).contains("not one readable scan"), qPrintable(verdict(dialog)));
     QVERIFY2(verdict(dialog).contains("line 2") && verdict(dialog).contains("\"broken\""),
              qPrintable(verdict(dialog)));
+}
+
+void SourceTest::lists_are_read_as_the_country_writes_them_data() {
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<QString>("written");
+    QTest::addColumn<QString>("read");
+    QTest::addColumn<bool>("commas");
+    const QString laser = "source.laser_pose";
+    const QString place = "-0.2,0,180";
+    for (const char* written :
+         {"-0,2; 0; 180", "-0,2 0 180", "-0.2; 0; 180", "-0.2,0,180", "-0.2, 0, 180"})
+        QTest::newRow(written) << laser << QString(written) << place << true;
+    for (const char* written : {"-0.2; 0; 180", "-0.2 0 180", "-0.2,0,180"})
+        QTest::addRow("with a point %s", written) << laser << QString(written) << place << false;
+    QTest::newRow("as files have it") << laser << "0,0,180"
+                                      << "0,0,180" << true;
+    QTest::newRow("upside down") << laser << "0,1; 0; 90; upside-down"
+                                 << "0.1,0,90,upside-down" << true;
+    QTest::newRow("clock") << "source.scan_clock"
+                           << "0@0; -1,39@680"
+                           << "0@0,-1.39@680" << true;
+    QTest::newRow("axes") << "source.odometry_axes"
+                          << "x; y; 90,5-theta"
+                          << "x,y,90.5-theta" << true;
+}
+
+void SourceTest::lists_are_read_as_the_country_writes_them() {
+    QFETCH(const QString, key);
+    QFETCH(const QString, written);
+    QFETCH(const QString, read);
+    QFETCH(const bool, commas);
+    Fixture f;
+    std::optional<DecimalCommas> country;
+    if (commas) country.emplace();
+    const auto& parameter = find_parameter(key.toStdString());
+    const auto text_of = [&](const SourceDialog& dialog) {
+        Configuracion configuration;
+        configuration.source = dialog.source();
+        return QString::fromStdString(parameter.text(configuration));
+    };
+    Configuracion before = f.session.configuration();
+    SourceDialog dialog(before.source, f.prompts, {}, nullptr);
+    wait_for_check(dialog);
+    dialog.findChild<QCheckBox*>("how")->click();
+    auto* field = dialog.findChild<QLineEdit*>("field_" + key);
+    QTest::keyClicks(field, written);
+    QTRY_COMPARE(text_of(dialog), read);
+    wait_for_check(dialog);
+    QVERIFY2(ok(dialog)->isEnabled(), qPrintable(verdict(dialog)));
+    parameter.set(before, read.toStdString());  // what was kept is shown as it may be written
+    SourceDialog again(before.source, f.prompts, {}, nullptr);
+    QCOMPARE(text_of(again), read);
+    QCOMPARE(again.findChild<QLineEdit*>("field_" + key)->text().contains("; "), commas);
 }
 
 void SourceTest::what_findings_advise_is_set_in_the_form() {

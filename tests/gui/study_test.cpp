@@ -252,10 +252,6 @@ void StudyTest::decimal_commas_are_those_of_the_country() {
     const auto p0_error = [](const ConfigurationDialog& form) {
         return form.findChild<QLabel*>("error_association.p0")->text();
     };
-    struct Comma {
-        Comma() { set_decimal_comma(true); }
-        ~Comma() { set_decimal_comma(false); }
-    };
     StudyFixture f;
     f.study.form().set_assignments({"p0="});
     const auto read = [&](const QString& written) {
@@ -265,7 +261,7 @@ void StudyTest::decimal_commas_are_those_of_the_country() {
     QVERIFY2(read("0,5, 1,3").startsWith("Values: 4 (0; 5; 1; 3)."), qPrintable(read("0,5, 1,3")));
     QVERIFY(read("0.5 1.3").startsWith("Values: 2 (0.5; 1.3)."));
     {
-        const Comma comma;
+        const DecimalCommas commas;
         for (const char* list : {"0,5; 1,3", "0,5, 1,3", "0,5 1,3", "0.5,1.3", "0.5; 1,3"}) {
             const QString told = read(list);
             QVERIFY2(told.startsWith("Values: 2 (0.5; 1.3)."), qPrintable(told));

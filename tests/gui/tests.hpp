@@ -34,6 +34,8 @@ class SourceTest : public QObject {
     void topics_are_asked_for_wherever_it_is_opened_from();
     void scans_before_the_odometry_are_counted();
     void cancel_changes_nothing();
+    void lists_are_read_as_the_country_writes_them_data();
+    void lists_are_read_as_the_country_writes_them();
     void the_source_changes_while_running();
     void a_bad_log_leaves_the_run_as_it_was();
     void files_can_be_dropped();

@@ -91,15 +91,11 @@ QString ParameterField::text() const {
         facts_.choices.at(static_cast<std::size_t>(choice_->currentIndex())).word);
 }
 
-QString ParameterField::as_read(const QString& written) const {
-    return facts_.type == ParameterFacts::Type::real ? with_point(written) : written;
-}
-
 void ParameterField::set_text(const std::string& value) {
     if (choice_ != nullptr) {
         choice_->setCurrentIndex(static_cast<int>(facts_.place_of(value).value_or(0)));
     } else {
-        line_->setText(QString::fromStdString(value));
+        line_->setText(as_written(facts_, QString::fromStdString(value)));
     }
     good_ = text();
     set_error({});
@@ -108,7 +104,7 @@ void ParameterField::set_text(const std::string& value) {
 
 std::optional<ParameterFacts::Value> ParameterField::take() {
     try {
-        ParameterFacts::Value value = facts_.value_from(as_read(text()).toStdString());
+        ParameterFacts::Value value = facts_.value_from(as_read(facts_, text()).toStdString());
         good_ = text();
         set_error({});
         return value;
@@ -123,7 +119,7 @@ std::optional<ParameterFacts::Value> ParameterField::take() {
 
 std::optional<ParameterFacts::Value> ParameterField::last_good() const {
     try {
-        return facts_.value_from(as_read(good_).toStdString());
+        return facts_.value_from(as_read(facts_, good_).toStdString());
     } catch (const Error&) {
         return std::nullopt;  // so impossible was what the form was opened with
     }
@@ -176,7 +172,7 @@ void ParameterField::focus() {
 }
 
 bool ParameterField::differs() const {
-    return as_read(text()) != normal_;
+    return as_read(facts_, text()) != normal_;
 }
 
 void ParameterField::mark_changed() {

@@ -52,8 +52,6 @@ class ParameterField : public QObject {
     void mark_changed();
     QWidget* editor() const;
     QList<QWidget*> parts() const;
-    /// As the library reads what is written.
-    QString as_read(const QString& written) const;
 
     const ParameterFacts& facts_;
     const QString normal_;

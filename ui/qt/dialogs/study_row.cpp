@@ -27,7 +27,7 @@ QString item_of(std::string_view name, const std::vector<std::string_view>& keys
 }
 
 /// "0.5; 1.3; …": what is going to be run.
-QString as_read(const std::vector<StudyValue>& values) {
+QString in_words(const std::vector<StudyValue>& values) {
     constexpr int kMost = 8;
     QStringList shown;
     for (const StudyValue& value : values) {
@@ -81,7 +81,7 @@ void StudyRow::set_assignment(const std::string& written) {
         fields_.parameter->setEditText(name);
     }
     // As the command line has it: there a comma is never a decimal one.
-    fields_.values->setText(assignment.section('=', 1).replace(',', decimal_comma() ? "; " : ","));
+    fields_.values->setText(list_as_written(assignment.section('=', 1)));
 }
 
 QString StudyRow::parameter() const {
@@ -143,7 +143,7 @@ void StudyRow::explain_values() {
     try {
         if (!fields_.values->text().trimmed().isEmpty()) {
             const auto values = parsed().values;
-            words = tr("Values: %1 (%2).").arg(values.size()).arg(as_read(values));
+            words = tr("Values: %1 (%2).").arg(values.size()).arg(in_words(values));
         }
     } catch (const Error&) {
         // Perhaps just half written; read() tells.

@@ -16,7 +16,6 @@
 #include <utility>
 
 #include "drawn_walls.hpp"
-#include "hitos/base/text_input.hpp"
 #include "hitos/registration/seen_wall.hpp"
 #include "hitos/simulation/drawings/dxf_walls.hpp"
 #include "look/theme.hpp"
@@ -34,8 +33,8 @@ constexpr int kMillimetres = 3;  // decimals
 std::vector<double> numbers_in(const QString& text, std::size_t count) {
     std::vector<double> numbers;
     for (const QString& word : list_with_points(text, true).split(',')) {
-        const auto number = input::parse_number(word.trimmed().toStdString());
-        if (!number || !std::isfinite(*number)) return {};
+        const auto number = number_of(word);
+        if (!number) return {};
         numbers.push_back(*number);
     }
     return numbers.size() == count ? numbers : std::vector<double>();

@@ -21,7 +21,7 @@ QString pose_text(const Pose& pose) {
 
 std::optional<Pose> pose_of(const QLineEdit& line) {
     try {
-        return start_of(list_with_points(line.text(), true).toStdString());
+        return start_of(pose_with_points(line.text()).toStdString());
     } catch (const Error&) {
         return std::nullopt;
     }

@@ -6,8 +6,12 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QRegularExpression>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "field_tip.hpp"
+#include "hitos/base/text_input.hpp"
 #include "theme.hpp"
 
 namespace hitos::window {
@@ -29,6 +33,31 @@ QString range_of(const QAbstractSpinBox& box) {
             .arg(real->textFromValue(real->minimum()), real->textFromValue(real->maximum()));
     }
     return {};
+}
+
+/// What a parameter's text is made of.
+enum class Made { words, numbers, list, pose };
+
+struct MadeOf {
+    std::string_view key;
+    Made made;
+};
+
+Made made_of(const ParameterFacts& parameter) {
+    using Type = ParameterFacts::Type;
+    if (parameter.type == Type::real) return Made::numbers;
+    if (parameter.type != Type::text) return Made::words;
+    static constexpr std::array kTexts{
+        MadeOf{"source.laser_pose", Made::pose},    MadeOf{"source.start", Made::pose},
+        MadeOf{"source.odometry_axes", Made::list}, MadeOf{"source.scan_clock", Made::list},
+        MadeOf{"source.world_set", Made::numbers},  MadeOf{"registration.edits", Made::numbers}};
+    const auto known = std::ranges::find(kTexts, parameter.key, &MadeOf::key);
+    return known == kTexts.end() ? Made::words : known->made;
+}
+
+const QRegularExpression& comma_between_digits() {
+    static const QRegularExpression comma(R"((?<=\d),(?=\d))");
+    return comma;
 }
 
 void tell_range(QAbstractSpinBox& box) {
@@ -99,14 +128,50 @@ QString with_point(const QString& number) {
     return QString(number).replace(',', '.');
 }
 
+std::optional<double> number_of(const QString& written) {
+    const auto number = input::parse_number(with_point(written).trimmed().toStdString());
+    return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
 QString list_with_points(const QString& list, bool fractions) {
-    static const QRegularExpression between_digits(R"((?<=\d),(?=\d))");
     static const QRegularExpression around_parts(R"(\s*([:/])\s*)");
     static const QRegularExpression separators(R"(\s*[;,]\s*|\s+)");
     QString text = list.trimmed();
     const bool points = text.contains('.') && !text.contains(';');
-    if (decimal_comma() && fractions && !points) text.replace(between_digits, ".");
+    if (decimal_comma() && fractions && !points) text.replace(comma_between_digits(), ".");
     return text.replace(around_parts, "\\1").replace(separators, ",");
+}
+
+QString pose_with_points(const QString& pose) {
+    static const QRegularExpression as_it_stands(
+        R"(^\s*([-+]?[0-9.]+),([-+]?[0-9.]+),([-+]?[0-9.]+)(,[^0-9]*)?$)");
+    return as_it_stands.match(pose).hasMatch() ? pose : list_with_points(pose, true);
+}
+
+QString list_as_written(const QString& list) {
+    return decimal_comma() ? QString(list).replace(',', "; ") : list;
+}
+
+QString as_read(const ParameterFacts& parameter, const QString& written) {
+    switch (made_of(parameter)) {
+        case Made::numbers:
+            // Blanks part several of them: a comma is nothing else.
+            return parameter.type == ParameterFacts::Type::real ? with_point(written)
+                   : decimal_comma() ? QString(written).replace(comma_between_digits(), ".")
+                                     : written;
+        case Made::list:
+            return list_with_points(written, true);
+        case Made::pose:
+            return pose_with_points(written);
+        case Made::words:
+            break;
+    }
+    return written;
+}
+
+QString as_written(const ParameterFacts& parameter, const QString& read) {
+    const Made made = made_of(parameter);
+    return made == Made::list || made == Made::pose ? list_as_written(read) : read;
 }
 
 }  // namespace hitos::window

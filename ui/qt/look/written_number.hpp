@@ -5,6 +5,9 @@
 
 #include <QObject>
 #include <QString>
+#include <optional>
+
+#include "hitos/base/parameter.hpp"
 
 class QAbstractSpinBox;
 
@@ -33,9 +36,19 @@ class NumberBoxes final : public QObject {
 
 /// As the library reads a number.
 QString with_point(const QString& number);
+/// Nothing where it is none, or none that is finite.
+std::optional<double> number_of(const QString& written);
 /// As the library reads a list, with commas between its values. Semicolons and blanks are as good;
 /// where a comma is a decimal one, it is only between digits of `fractions`, and not in a list that
 /// has points and no semicolons: "0,5; 1,3", "0,5 1,3", "0.5, 1.3" and "0.5,1.3" are two values.
 QString list_with_points(const QString& list, bool fractions);
+/// The same of x, y and heading: "0,0,180" is a pose as it stands, as files have it.
+QString pose_with_points(const QString& pose);
+/// As files have it, a list where a comma is never a decimal one: as it is written here.
+QString list_as_written(const QString& list);
+
+/// What is written in the field of a parameter, as the library reads it, and the other way round.
+QString as_read(const ParameterFacts& parameter, const QString& written);
+QString as_written(const ParameterFacts& parameter, const QString& read);
 
 }  // namespace hitos::window

@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "look/flow_layout.hpp"
+#include "look/written_number.hpp"
 
 namespace hitos::window {
 namespace {
@@ -117,8 +118,8 @@ bool MeasurementModel::setData(const QModelIndex& index, const QVariant& value, 
         measurements_.set_truth(index.row(), std::nullopt);
         return true;
     }
-    bool number = false;
-    const double given = QString(written).replace(',', '.').toDouble(&number);
+    const std::optional<double> number = number_of(written);
+    const double given = number.value_or(0.0);
     const bool angle = row_of(index.row()).measurement.quantity == Quantity::angle;
     const bool possible = number && (angle ? given >= 0.0 && given <= 180.0
                                            : given >= kLeastDistance && given <= kGreatestTrue);

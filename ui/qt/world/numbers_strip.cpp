@@ -5,12 +5,12 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
 #include "look/parameter_text.hpp"
 #include "look/theme.hpp"
+#include "look/written_number.hpp"
 
 namespace hitos::window {
 namespace {
@@ -19,13 +19,6 @@ namespace {
 QString number_words(double value) {
     constexpr double kDigits = 1e4;
     return QString::number(std::round(value * kDigits) / kDigits + 0.0, 'g', 10);
-}
-
-/// With a point or a comma, whatever the user's country writes.
-std::optional<double> number_of(QString text) {
-    bool good = false;
-    const double value = QLocale::c().toDouble(text.replace(',', '.').trimmed(), &good);
-    return good && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace
