@@ -294,6 +294,26 @@ void StudyTest::decimal_commas_are_those_of_the_country() {
     QCOMPARE(f.session.configuration().filter.association.p0, 0.25);
 }
 
+/// Neither how many they are nor how many runs they make.
+void StudyTest::values_that_are_none_are_not_counted() {
+    StudyFixture f;
+    const auto refused = [&](const char* parameter, const QString& written) {
+        f.study.form().set_assignments({parameter});
+        f.set("values", written);
+        const QString hint = f.study.findChild<QLabel*>("values_hint")->text();
+        return hint.startsWith("Values with ") &&
+               f.study.findChild<QLabel*>("all_runs")->text().isEmpty();
+    };
+    QVERIFY(refused("p=", "10.000"));
+    QVERIFY(refused("dmax=", "0.02-0.05"));
+    QVERIFY(refused("sensor=", "0.04/wide"));
+    QVERIFY(!refused("p=", "10, 50"));
+    QVERIFY(!refused("motion.model=", "odometry"));
+    const DecimalCommas commas;
+    QVERIFY(refused("dmax=", "0,02,0,05"));
+    QVERIFY(!refused("dmax=", "0,02; 0,05"));
+}
+
 void StudyTest::bad_values_are_told_at_their_fields_data() {
     QTest::addColumn<QString>("assignment");
     QTest::addColumn<QString>("field");

@@ -417,6 +417,7 @@ class StudyTest : public QObject {
     void noise_seed_and_threads_are_those_of_the_command_line();
     void every_parameter_can_be_chosen();
     void decimal_commas_are_those_of_the_country();
+    void values_that_are_none_are_not_counted();
     void bad_values_are_told_at_their_fields_data();
     void bad_values_are_told_at_their_fields();
     void all_mistakes_are_told_at_once();

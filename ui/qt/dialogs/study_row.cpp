@@ -8,6 +8,7 @@
 #include <initializer_list>
 
 #include "hitos/base/error.hpp"
+#include "hitos/base/text_input.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/study/study.hpp"
 #include "look/parameter_text.hpp"
@@ -40,6 +41,17 @@ QString in_words(const std::vector<StudyValue>& values) {
         shown << parts.join('/');
     }
     return shown.join("; ");
+}
+
+/// Throws hitos::Error of what is none of its values; a number out of its range is one.
+void check_readable(const ParameterFacts& parameter, const std::string& text) {
+    bool number = false;
+    if (parameter.type == ParameterFacts::Type::real) {
+        number = input::parse_number(text).has_value();
+    } else if (parameter.type == ParameterFacts::Type::integer) {
+        QString::fromStdString(text).toLongLong(&number);
+    }
+    if (!number) parameter.value_from(text);
 }
 
 }  // namespace
@@ -109,7 +121,12 @@ bool StudyRow::names(const std::string& key) const {
 }
 
 StudyParameter StudyRow::parsed() const {
-    return parse_study_parameter((parameter() + '=' + values()).toStdString());
+    StudyParameter read = parse_study_parameter((parameter() + '=' + values()).toStdString());
+    for (const StudyValue& value : read.values) {
+        for (std::size_t i = 0; i < read.keys.size(); ++i)
+            check_readable(find_parameter(read.keys[i]), value.at(i));
+    }
+    return read;
 }
 
 /// What the parameter means, what it may be and what it is now, key by key.

@@ -44,7 +44,7 @@ class StudyRow final : public QObject {
     bool in_use() const { return !optional_ || !parameter().isEmpty(); }
     /// Whether the parameter has that name, or sets the key.
     bool names(const std::string& key) const;
-    /// Throws hitos::Error.
+    /// Throws hitos::Error, of values that nobody can read too.
     StudyParameter parsed() const;
 
   signals:
