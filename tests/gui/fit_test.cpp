@@ -6,6 +6,7 @@
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDockWidget>
+#include <QInputDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QProcess>
@@ -394,7 +395,7 @@ void FitTest::the_title_of_a_box_has_room() {
     Fixture f;
     QtPrompts prompts;
     const QString title = "The reference trajectory is in doubt for many reasons";
-    const auto wide = [&title](QMessageBox& box) {
+    const auto wide = [&title](QDialog& box) {
         const int words = box.fontMetrics().horizontalAdvance(title + " - Hitos");
         QVERIFY2(box.width() >= words + 100, qPrintable(QString::number(box.width() - words)));
         box.reject();
@@ -403,6 +404,12 @@ void FitTest::the_title_of_a_box_has_room() {
     prompts.warn(f.window.get(), title, "No.");
     in_dialog<QMessageBox>(wide);
     QVERIFY(!prompts.confirm(f.window.get(), {title, "Go on?", "It is lost.", "Yes", true}));
+    in_dialog<QInputDialog>(wide);
+    QVERIFY(!prompts.choice(f.window.get(), title, "Which?", {"a", "b"}, 1));
+    in_dialog<QInputDialog>(wide);
+    QVERIFY(!prompts.text(f.window.get(), title, "Which?"));
+    in_dialog<QInputDialog>([](QInputDialog& box) { box.accept(); });
+    QCOMPARE(prompts.choice(f.window.get(), title, "Which?", {"a", "b"}, 1), std::optional(1));
 }
 
 /// Messages have paths and reasons, which are as long as they are.

@@ -59,6 +59,7 @@ class ScriptedPrompts final : public Prompts {
     QStringList confirmed_texts;
     QStringList number_texts;
     QStringList offered;
+    QString offered_first;  ///< stands chosen
     int greatest_number = -1;
     int opens_asked = 0;
     int saves_asked = 0;
@@ -89,9 +90,10 @@ class ScriptedPrompts final : public Prompts {
         greatest_number = greatest;
         return numbers.isEmpty() ? std::nullopt : std::optional(numbers.takeFirst());
     }
-    std::optional<int> choice(QWidget*, const QString&, const QString&,
-                              const QStringList& words) override {
+    std::optional<int> choice(QWidget*, const QString&, const QString&, const QStringList& words,
+                              int first) override {
         offered = words;
+        offered_first = words.value(first);
         return numbers.isEmpty() ? std::nullopt : std::optional(numbers.takeFirst());
     }
     std::optional<QString> text(QWidget*, const QString&, const QString&) override {

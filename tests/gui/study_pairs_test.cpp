@@ -127,7 +127,12 @@ void StudyTest::values_are_chosen_and_used() {
     QVERIFY(!f.enabled("use"));
     f.run_study();
     const Configuracion before = f.session.configuration();
+    f.press("open_run");
+    QCOMPARE(f.prompts.offered_first, f.prompts.offered.front());
     f.click(0.75, 0.5);
+    f.press("open_run");  // one of those is at hand
+    QVERIFY2(f.prompts.offered_first.startsWith("dmax=0.05 p=4 seed 1"),
+             qPrintable(f.prompts.offered_first));
     QVERIFY(f.enabled("use"));
     QVERIFY(f.study.plots().accessibleDescription().startsWith("dmax=0.05 p=4\n"));
     f.press("use");

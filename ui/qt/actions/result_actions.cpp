@@ -180,7 +180,8 @@ void ResultActions::at_chosen_scan(const std::function<void()>& save) {
         tr("What to save:"),
         {tr("As it is now, at scan %1").arg(now.steps),
          (to_end ? tr("As it is at its end, scan %1") : tr("As far as it came, at scan %1"))
-             .arg(furthest)});
+             .arg(furthest)},
+        0);
     if (!chosen) return;
     if (*chosen == 0) return save();
     going_ = new QTimer(this);

@@ -56,7 +56,8 @@ void Layouts::fill() {
     if (names().isEmpty()) return;
     QAction* forget = menu_.addAction(tr("Forget a layout…"), this, [this] {
         const QStringList all = names();
-        const auto chosen = prompts_.choice(&window_, tr("Layouts"), tr("Layout to forget:"), all);
+        const auto chosen =
+            prompts_.choice(&window_, tr("Layouts"), tr("Layout to forget:"), all, 0);
         if (chosen) settings_.remove(QString(kNamed) + '/' + all[*chosen]);
     });
     forget->setObjectName("forget_layout");

@@ -228,17 +228,20 @@ void StudyDialog::open_run() {
     const StudyPlan& plan = *runner_.plan();
     QStringList words;
     std::vector<std::size_t> runs;
+    std::optional<int> of_chosen;
     for (std::size_t run = 0; run < runner_.records().size(); ++run) {
         const StudyRecord& record = runner_.records()[run];
         if (!record.ok) continue;
         QString label = QString::fromStdString(plan.label(run));
         if (const auto& error = record.figures["error_m"])
             label += tr(": map error %1 m").arg(*error, 0, 'f', 4);
+        if (!of_chosen && ui_->plots->chosen() == plan.cell_of(run))
+            of_chosen = static_cast<int>(words.size());
         words << label;
         runs.push_back(run);
     }
-    const std::optional<int> chosen =
-        prompts_.choice(this, tr("Open a run of the study"), tr("Run to look at:"), words);
+    const std::optional<int> chosen = prompts_.choice(
+        this, tr("Open a run of the study"), tr("Run to look at:"), words, of_chosen.value_or(0));
     if (!chosen) return;
     emit run_wanted(job_of(study_, plan, runs[static_cast<std::size_t>(*chosen)]).configuration);
 }

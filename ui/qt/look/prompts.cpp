@@ -98,16 +98,29 @@ class OwnFileDialog : public QFileDialog {
     QByteArray widths_;
 };
 
-/// Of plain text: what a file is called is no markup. As wide as the bar with its title, where the
-/// desktop adds the program's name and buttons.
-int answer_to(QMessageBox& box) {
+/// Of a box with that title: the desktop adds the program's name and buttons.
+int width_of_title(const QDialog& box) {
     constexpr int kButtons = 120;
-    box.setTextFormat(Qt::PlainText);
     const QString title = box.windowTitle() + " — " + QGuiApplication::applicationDisplayName();
+    return box.fontMetrics().horizontalAdvance(title) + kButtons;
+}
+
+/// Of plain text: what a file is called is no markup.
+int answer_to(QMessageBox& box) {
+    box.setTextFormat(Qt::PlainText);
     auto* grid = qobject_cast<QGridLayout*>(box.layout());
-    const int width = box.fontMetrics().horizontalAdvance(title) + kButtons;
-    grid->addItem(new QSpacerItem(width, 0), grid->rowCount(), 0, 1, grid->columnCount());
+    grid->addItem(new QSpacerItem(width_of_title(box), 0), grid->rowCount(), 0, 1,
+                  grid->columnCount());
     return box.exec();
+}
+
+/// Asks for what is to be written or chosen; false where the user cancelled.
+bool answers(QInputDialog& box, const QString& title, const QString& text) {
+    box.setWindowTitle(title);
+    box.setLabelText(text);
+    box.minimumSizeHint();  // makes its layout
+    box.layout()->addItem(new QSpacerItem(width_of_title(box), 0));
+    return box.exec() == QDialog::Accepted;
 }
 
 /// Asks for the name of a folder to write: that of one that is there is taken too, where the usual
@@ -211,24 +224,25 @@ bool QtPrompts::confirm(QWidget* parent, const Question& question) {
 
 std::optional<int> QtPrompts::number(QWidget* parent, const QString& title, const QString& text,
                                      int least, int greatest) {
-    bool accepted = false;
-    const int value =
-        QInputDialog::getInt(parent, title, text, least, least, greatest, 1, &accepted);
-    return accepted ? std::optional(value) : std::nullopt;
+    QInputDialog box(parent);
+    box.setInputMode(QInputDialog::IntInput);
+    box.setIntRange(least, greatest);
+    box.setIntValue(least);
+    return answers(box, title, text) ? std::optional(box.intValue()) : std::nullopt;
 }
 
 std::optional<int> QtPrompts::choice(QWidget* parent, const QString& title, const QString& text,
-                                     const QStringList& words) {
-    bool accepted = false;
-    const QString word = QInputDialog::getItem(parent, title, text, words, 0, false, &accepted);
-    return accepted ? std::optional(static_cast<int>(words.indexOf(word))) : std::nullopt;
+                                     const QStringList& words, int first) {
+    QInputDialog box(parent);
+    box.setComboBoxItems(words);
+    box.setTextValue(words.value(first));
+    if (!answers(box, title, text)) return std::nullopt;
+    return static_cast<int>(words.indexOf(box.textValue()));
 }
 
 std::optional<QString> QtPrompts::text(QWidget* parent, const QString& title, const QString& text) {
-    bool accepted = false;
-    const QString written =
-        QInputDialog::getText(parent, title, text, QLineEdit::Normal, {}, &accepted);
-    return accepted ? std::optional(written) : std::nullopt;
+    QInputDialog box(parent);
+    return answers(box, title, text) ? std::optional(box.textValue()) : std::nullopt;
 }
 
 void QtPrompts::warn(QWidget* parent, const QString& title, const QString& text) {

@@ -43,9 +43,10 @@ class Prompts {
     /// A whole number from `least` to `greatest`; nothing where the user cancelled.
     virtual std::optional<int> number(QWidget* parent, const QString& title, const QString& text,
                                       int least, int greatest) = 0;
-    /// Which of the words, by its place; nothing where the user cancelled.
+    /// Which of the words, by its place, where the one at `first` stands chosen; nothing where the
+    /// user cancelled.
     virtual std::optional<int> choice(QWidget* parent, const QString& title, const QString& text,
-                                      const QStringList& words) = 0;
+                                      const QStringList& words, int first) = 0;
     /// A word or two; nothing where the user cancelled.
     virtual std::optional<QString> text(QWidget* parent, const QString& title,
                                         const QString& text) = 0;
@@ -62,7 +63,7 @@ class QtPrompts final : public Prompts {
     std::optional<int> number(QWidget* parent, const QString& title, const QString& text, int least,
                               int greatest) override;
     std::optional<int> choice(QWidget* parent, const QString& title, const QString& text,
-                              const QStringList& words) override;
+                              const QStringList& words, int first) override;
     std::optional<QString> text(QWidget* parent, const QString& title,
                                 const QString& text) override;
     void warn(QWidget* parent, const QString& title, const QString& text) override;
@@ -78,8 +79,8 @@ class NobodyThere final : public Prompts {
     std::optional<int> number(QWidget*, const QString&, const QString&, int, int) override {
         return std::nullopt;
     }
-    std::optional<int> choice(QWidget*, const QString&, const QString&,
-                              const QStringList&) override {
+    std::optional<int> choice(QWidget*, const QString&, const QString&, const QStringList&,
+                              int) override {
         return std::nullopt;
     }
     std::optional<QString> text(QWidget*, const QString&, const QString&) override {
