@@ -13,6 +13,8 @@
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "study_fixture.hpp"
 #include "tests.hpp"
+#include "views/picture.hpp"
+#include "views/plot_style.hpp"
 
 namespace hitos::window {
 namespace {
@@ -108,6 +110,46 @@ void StudyTest::two_parameters_are_a_map_of_colours() {
             for (int x = 0; x < saved.width(); ++x)
                 inside += saved.pixelColor(x, y) == heat_colour(share) ? 1 : 0;
         QVERIFY2(inside > saved.width() * saved.height() / 18, qPrintable(QString::number(inside)));
+    }
+}
+
+/// In the width of a column of a paper: 85 mm, letters of 7 points.
+void StudyTest::figures_fit_the_column_of_a_paper() {
+    TwoParameters f;
+    f.run_study();
+    QCustomPlot& map = f.map();
+    FigureWish wish;
+    constexpr double kMmPerLetterPoint = 25.4 / 72.0;
+    wish.mm_per_point =
+        7.0 * kMmPerLetterPoint / QFontInfo(f.study.plots().exportable().font).pixelSize();
+    const Picture picture = f.study.plots().exportable().offers.front().picture(wish);
+    if (const QString folder = qEnvironmentVariable("HITOS_PICTURES"); !folder.isEmpty()) {
+        write_picture(picture, folder + "/heat-85.pdf");
+        f.study.plots().show_calibration();
+        write_picture(f.study.plots().exportable().offers.front().picture(wish),
+                      folder + "/calibration-85.pdf");
+        f.study.plots().show_quality(*f.study.plots().qualities().front());
+        f.study.form().set_assignments({"dmax=0.02,0.05", ""});
+        f.run_study();
+        write_picture(f.study.plots().exportable().offers.front().picture(wish),
+                      folder + "/curves-85.pdf");
+        return;
+    }
+    const auto& scale = *qobject_cast<QCPColorScale*>(map.plotLayout()->element(1, 1));
+    const QCPTextElement& title = *title_of(map, 0, 0);
+    const int column = qRound(wish.points());
+    for (const int width : {column - 100, column - 50, column, column + 50}) {
+        map.setViewport(QRect(0, 0, width, qRound(picture.size.height())));
+        map.replot();
+        QVERIFY(scale.axis()->axisRect()->width() >= scale.barWidth() - 1);
+        QVERIFY(scale.outerRect().right() <= map.viewport().right());
+        const QRect needed =
+            QFontMetrics(title.font())
+                .boundingRect(title.rect(), Qt::TextWordWrap | Qt::AlignLeft, title.text());
+        QVERIFY2(title.rect().contains(needed), qPrintable(title.text()));
+        // And has no more room than that.
+        constexpr int kRounding = 2;
+        QVERIFY2(title.rect().height() <= needed.height() + kRounding, qPrintable(title.text()));
     }
 }
 

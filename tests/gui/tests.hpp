@@ -425,6 +425,7 @@ class StudyTest : public QObject {
     void a_log_that_has_gone_is_told();
     void runs_that_fail_are_told_and_the_others_go_on();
     void two_parameters_are_a_map_of_colours();
+    void figures_fit_the_column_of_a_paper();
     void the_scale_of_the_map_darkens();
     void values_are_chosen_and_used();
     void a_value_of_one_parameter_is_used();

@@ -24,12 +24,28 @@ class Title final : public QCPTextElement {
 
   private:
     int height() const {
-        const QCustomPlot& plot = *parentPlot();
         const QMargins around = margins();
-        const int room = plot.viewport().width() / plot.plotLayout()->columnCount() -
-                         around.left() - around.right();
+        const int room = column_width() - around.left() - around.right();
         return QFontMetrics(font()).boundingRect(0, 0, room, 0, kFlags, text()).height() +
                around.top() + around.bottom();
+    }
+    /// Plots share what columns that are no wider than they need, as a colour scale's, leave.
+    int column_width() const {
+        const QCustomPlot& plot = *parentPlot();
+        const QCPLayoutGrid& grid = *plot.plotLayout();
+        int room = plot.viewport().width();
+        int plots = grid.columnCount();
+        for (int column = 0; column < grid.columnCount(); ++column) {
+            for (int row = 0; row < grid.rowCount(); ++row) {
+                const QCPLayoutElement* element = grid.element(row, column);
+                if (element == nullptr || element->maximumSize().width() == QWIDGETSIZE_MAX)
+                    continue;
+                room -= element->maximumSize().width() + grid.columnSpacing();
+                --plots;
+                break;
+            }
+        }
+        return room / std::max(plots, 1);
     }
 };
 
