@@ -16,6 +16,7 @@
 #include "hitos/services/files/trajectory_file.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "hitos/simulation/drive/simulated_tour_reader.hpp"
+#include "hitos/workbench/benchmark.hpp"
 
 namespace hitos {
 
@@ -113,7 +114,41 @@ std::unique_ptr<TourReader> open_behind(const SourceParams& source, std::uint64_
         open_one(source, run_seed), {source.hold, start_of(source.start)});
 }
 
+/// Whether both sources are the same tour, however it is read.
+bool same_tour(const SourceParams& a, std::uint64_t seed_a, const SourceParams& b,
+               std::uint64_t seed_b) {
+    const bool world = is_world_file(a.file);
+    if (world != is_world_file(b.file)) return false;
+    if (world &&
+        (a.world_set != b.world_set || open_world(a, seed_a).seed != open_world(b, seed_b).seed)) {
+        return false;
+    }
+    std::error_code ignored;
+    return std::filesystem::equivalent(a.file, b.file, ignored) ||
+           digest_of_tour(a.file) == digest_of_tour(b.file);
+}
+
 }  // namespace
+
+Message doubt_of_going_on(const SourceParams& source, std::uint64_t run_seed) {
+    std::string folder = source.map;
+    try {
+        for (int maps = 0; !folder.empty() && maps < kMostMaps; ++maps) {
+            const Map map = map_in(folder);
+            const Configuracion& before = map.configuration;
+            if (same_tour(before.source, before.run.seed, source, run_seed)) {
+                return message(
+                    HITOS_TEXT("Errors",
+                               "This is the tour that the map of %1 was made of: laid on itself "
+                               "it brings the map nothing new, and that it fits tells nothing."),
+                    map.folder);
+            }
+            folder = before.source.map;
+        }
+    } catch (const Error&) {  // whoever opens it is told
+    }
+    return {};
+}
 
 Configuracion configuration_to_go_on(const std::string& map) {
     Configuracion configuration = map_in(map).configuration;

@@ -25,6 +25,7 @@ SourceInspection inspect_source(const SourceParams& source, const InspectProgres
         found.choice = error.message();
         found.tour.format = recording_format(source.file)->word;
     }
+    found.doubt = doubt_of_going_on(source);
     found.topics = topics_of(source.file);
     found.first_lines = found.topics.empty() ? first_lines_of(source.file) : lines_of(found.topics);
     return found;

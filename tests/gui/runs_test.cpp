@@ -506,6 +506,8 @@ void RunsTest::a_map_is_gone_on_with() {
         QTRY_COMPARE(QString::fromStdString(dialog.source().start), QString("0,0,0"));
         auto* ok = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
         QTRY_VERIFY_WITH_TIMEOUT(ok->isEnabled(), 20000);
+        const QString verdict = dialog.findChild<QLabel*>("verdict")->text();
+        QVERIFY2(verdict.contains("the tour that the map of"), qPrintable(verdict));
         ok->click();
     });
     f.trigger("action_go_on");

@@ -233,6 +233,20 @@ TEST_F(SecondTourTest, TellsAMapThatIsMadeOtherwise) {
     EXPECT_THAT(told.output, HasSubstr("is another one: run.seed\n"));
 }
 
+/// Whatever its file is called.
+TEST_F(SecondTourTest, TellsThatTheTourIsTheMapsOwn) {
+    file("copy.toml", content("first.toml"));
+    for (const char* log : {"first.toml", "copy.toml"}) {
+        const test::Outcome told = run(log, "out", map());
+        EXPECT_EQ(told.status, 0) << told.output;
+        EXPECT_THAT(told.output, HasSubstr("warning: This is the tour that the map of"));
+    }
+    // With other noise it is another one.
+    const test::Outcome other = run("first.toml", "out", map() + " --set source.tour_seed=7");
+    EXPECT_EQ(other.status, 0) << other.output;
+    EXPECT_THAT(other.output, Not(HasSubstr("This is the tour")));
+}
+
 TEST_F(SecondTourTest, TellsWhatItCannotGoOnWith) {
     const auto expect = [&](const std::string& options, const std::string& words) {
         const test::Outcome told = run("second.toml", "out", options);

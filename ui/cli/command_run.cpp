@@ -234,6 +234,10 @@ void run(const RunOptions& options, std::optional<LiveRun>& live) {
     }
     tell_other_parameters(configuration);
     tell_changes_of_map(configuration);
+    if (const Message doubt = doubt_of_going_on(configuration.source, configuration.run.seed);
+        !doubt.empty()) {
+        fmt::print(stderr, "warning: {}\n", on_one_line(doubt.english()));
+    }
     check_particle(options.grid_of, configuration);
     const std::vector<std::string> also = chosen_outputs(options.write, "--write");
     References references = references_named(options.reference, options.reference_trajectory);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "hitos/base/message.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/registration/graph_edit.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
@@ -30,6 +31,10 @@ std::unique_ptr<TourReader> open_tour(const Configuracion& configuration);
 /// What a run was run with, to go on with its map: without what is of its tour alone but the
 /// changes by hand, which its map is made of. Throws what open_tour() throws of source.map.
 Configuracion configuration_to_go_on(const std::string& map);
+
+/// A warning where the tour is one that the map it goes on with (source.map), or a map before that,
+/// was made of: by its content, not its name. Else empty.
+Message doubt_of_going_on(const SourceParams& source, std::uint64_t run_seed = 1);
 
 /// The changes by hand that either this configuration has or the run of its map, not both, and that
 /// name scans of the map's own tour alone: by them that map is another one. Throws what open_tour()

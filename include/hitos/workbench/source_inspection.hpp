@@ -20,6 +20,7 @@ struct SourceInspection {
     /// Of a recording with several lasers or odometries of which none is chosen: what to choose.
     /// The tour is empty then but for its format. Else empty.
     Message choice;
+    Message doubt;  ///< doubt_of_going_on()
 };
 
 /// Whether a source was refused for topics that nobody has chosen yet, not for wrong ones.

@@ -78,9 +78,11 @@ QString damage_note(const ReadReport& report) {
 }
 
 /// What the user should know of a source before it is run.
-QStringList source_notes(const TourSummary& summary) {
+QStringList source_notes(const SourceInspection& source) {
+    const TourSummary& summary = source.tour;
     const ReadReport& report = summary.report;
     QStringList notes;
+    if (!source.doubt.empty()) notes << words_of(source.doubt);
     for (const TourFinding& finding : summary.findings) notes << words_of(finding);
     if (report.early_scans > 0) {
         notes << SourceDialog::tr(
@@ -323,7 +325,7 @@ void SourceDialog::end_check(const Stop& stop, const std::optional<SourceInspect
     summary_ = summary;
     const ReadReport& report = summary->tour.report;
     const bool scans = report.scans > 0;
-    const QStringList notes = source_notes(summary->tour);
+    const QStringList notes = source_notes(*summary);
     QStringList lines{scans ? source_counts(summary->tour)
                             : tr("The file holds odometry but not one readable scan.")};
     for (const QString& note : notes) lines << set_apart(note);

@@ -207,6 +207,10 @@
         <source>The headings of the reference trajectory are none of this path: %1 of its turns are not theirs. Errors of headings, relative errors and which loops are false are left out; the ATE is of positions alone, and stands.</source>
         <translation>Las orientaciones de la trayectoria de referencia no son las de este camino: %1 de sus giros no están en ellas. Se omiten los errores de orientación, los errores relativos y qué bucles son falsos; el ATE es solo de posiciones, y vale.</translation>
     </message>
+    <message>
+        <source>The headings of the reference trajectory are off by %1, as those of another part of the robot: turn them back by that. Errors of headings, relative errors and which loops are false are left out; the ATE is of positions alone, and stands.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Associations</name>
@@ -3748,6 +3752,26 @@
     <message>
         <source>decimetres</source>
         <translation>decímetros</translation>
+    </message>
+    <message>
+        <source>for %1 s there is no scan (line %2), while the robot drives to %3 m from where it was: how the map goes on there is the odometry&apos;s word alone</source>
+        <translation>durante %1 s no hay ningún barrido (línea %2), mientras el robot va hasta %3 m de donde estaba: cómo sigue el mapa allí lo dice solo la odometría</translation>
+    </message>
+    <message>
+        <source>for %1 s there is no scan, and what is seen then (line %2) is not what was seen before, though by the odometry it is %3 m from there: %4 % of its points fit; the map goes on at a wrong place until that is recognised</source>
+        <translation>durante %1 s no hay ningún barrido, y lo que se ve después (línea %2) no es lo que se veía antes, aunque según la odometría está a %3 m de allí: encaja el %4 % de sus puntos; el mapa sigue en un sitio equivocado hasta que eso se reconoce</translation>
+    </message>
+    <message>
+        <source>if the robot was carried, cut the log at that line, and map the second part with the map of the first</source>
+        <translation>si alguien llevó el robot en brazos, corte el registro en esa línea y haga el mapa de la segunda parte con el de la primera</translation>
+    </message>
+    <message>
+        <source>holds %1, which is of no study and would be written over; move it away or choose another folder</source>
+        <translation>contiene %1, que no es de ningún estudio y se sobrescribiría; llévelo a otro sitio o elija otra carpeta</translation>
+    </message>
+    <message>
+        <source>This is the tour that the map of %1 was made of: laid on itself it brings the map nothing new, and that it fits tells nothing.</source>
+        <translation>Este es el recorrido del que se hizo el mapa de %1: puesto sobre sí mismo no aporta nada nuevo al mapa, y que encaje no dice nada.</translation>
     </message>
 </context>
 <context>
