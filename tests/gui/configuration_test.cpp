@@ -8,12 +8,15 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QToolButton>
+#include <functional>
+#include <utility>
 
 #include "actions/command_line.hpp"
 #include "dialogs/configuration_dialog.hpp"
 #include "gui_fixture.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
+#include "hitos/services/files/trajectory_file.hpp"
 #include "look/parameter_text.hpp"
 #include "tests.hpp"
 
@@ -426,6 +429,34 @@ void ConfigurationTest::references_are_loaded() {
     f.trigger("action_reference_map");
     QCOMPARE(f.prompts.warnings.size(), 1);
     QCOMPARE(f.session.references().map->size(), 16U);
+}
+
+/// By the odometry; the run itself has not begun.
+void ConfigurationTest::a_reference_is_doubted_before_the_run() {
+    Fixture f;
+    f.run_steps(1050);
+    const Trajectory path = f.session.snapshot()->odometry_trajectory;
+    QCOMPARE(path.size(), 1050U);
+    f.session.set_configuration(Fixture::tour(7));
+    const auto load = [&](const std::function<void(StampedPose&)>& change) {
+        Trajectory changed = path;
+        for (StampedPose& pose : changed) change(pose);
+        write_trajectory(changed, f.path("reference.tum").toStdString());
+        f.prompts.opens = {f.path("reference.tum")};
+        f.trigger("action_reference_trajectory");
+        f.prompts.opens.clear();
+        const QStringList warned = std::exchange(f.prompts.warnings, {});
+        return warned.isEmpty() ? QString() : warned.front();
+    };
+    QCOMPARE(load([](StampedPose&) {}), QString());
+    const QString large = load([](StampedPose& stamped) {
+        stamped.pose.x *= 100.0;
+        stamped.pose.y *= 100.0;
+    });
+    QVERIFY2(large.contains("centimetres"), qPrintable(large));
+    const QString late = load([](StampedPose& stamped) { stamped.time_s += 1e6; });
+    QVERIFY2(late.contains("not one of this tour"), qPrintable(late));
+    QCOMPARE(f.steps(), 0U);
 }
 
 void ConfigurationTest::references_go_with_their_log() {

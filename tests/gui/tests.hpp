@@ -111,6 +111,7 @@ class ConfigurationTest : public QObject {
     void the_default_is_not_written_without_consent();
     void a_default_that_cannot_be_written_is_told();
     void references_are_loaded();
+    void a_reference_is_doubted_before_the_run();
     void references_go_with_their_log();
     void a_mistake_that_becomes_unused_is_forgotten();
     void a_form_that_could_not_be_applied_keeps_its_values();

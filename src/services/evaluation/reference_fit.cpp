@@ -7,10 +7,12 @@
 #include <cmath>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/translatable.hpp"
 #include "hitos/capture/tour_reader.hpp"
+#include "hitos/features/control.hpp"
 #include "reference_doubts.hpp"
 #include "stamp_pairs.hpp"
 
@@ -134,6 +136,20 @@ ReferenceFit fit_of_reference(const Trajectory& path, const Trajectory& referenc
                    "poses that are further away with --tolerance)"),
         fit.common, path.size(), fmt::format("{:g}", tolerance_s), seconds(from), seconds(to),
         seconds(other_from), seconds(other_to)));
+}
+
+ReferenceFit fit_by_odometry(const TourReader& tour, const Trajectory& reference,
+                             double tolerance_s) {
+    OdometryPath path;
+    const std::unique_ptr<TourReader> reader = tour.reopen();
+    ControlTrack track([&reader] { return reader->next_odometry(); });
+    std::vector<Control> controls;
+    while (const std::optional<Scan> scan = reader->next_scan()) {
+        track.controls_until(*scan, controls);
+        path.add(scan->stamp_s(), controls, scan->begins_tour.has_value());
+    }
+    if (path.trajectory().empty()) return {};  // whoever runs it says so
+    return fit_of_reference(path.trajectory(), reference, tolerance_s);
 }
 
 ReferenceFit fit_of_reference(const TourReader& tour, const Trajectory& reference,

@@ -24,7 +24,7 @@ std::optional<Advice> ConfigurationActions::take_references(const ReferenceFiles
         // A tour that is being driven is not over.
         if (session_.has_source() && !session_.live_tour()) {
             const auto fit = [&path = *references.trajectory](const Algoritmo& run) {
-                return fit_of_reference(run.reader(), path);
+                return fit_by_odometry(run.reader(), path);
             };
             const std::vector<Advice> doubts = session_.worker()->with_run(fit).get().doubts();
             if (!doubts.empty()) doubt = doubts.front();

@@ -45,8 +45,11 @@ ReferenceFit fit_of_path(const Trajectory& path, const Trajectory& reference,
 /// would be figures of nothing.
 ReferenceFit fit_of_reference(const Trajectory& path, const Trajectory& reference,
                               double tolerance_s = kSameStamp);
-/// Of a tour before it is run, of which only stamps are known: reads the stamps of its scans anew,
-/// and leaves it where it stands.
+/// The same of a tour before it is run, by the path that its odometry tells: reads it anew, and
+/// leaves it where it stands.
+ReferenceFit fit_by_odometry(const TourReader& tour, const Trajectory& reference,
+                             double tolerance_s = kSameStamp);
+/// By the stamps of its scans alone: the rest a run's own path tells better.
 ReferenceFit fit_of_reference(const TourReader& tour, const Trajectory& reference,
                               double tolerance_s = kSameStamp);
 
