@@ -17,6 +17,7 @@
 #include "session/incoming_tour.hpp"
 #include "tests.hpp"
 #include "unit/capture/ros_tours.hpp"
+#include "workers/first_look.hpp"
 
 namespace hitos::window {
 namespace {
@@ -126,10 +127,17 @@ void ConnectTest::the_run_may_stand_still_or_go_back_meanwhile() {
     QTRY_VERIFY(f.steps() == 5 && f.shows_everything());
     f.session.seek(5000);  // no further than what is there
     QTRY_VERIFY(f.steps() == 1050 && f.shows_everything());
+    const std::shared_ptr<const Snapshot> last = f.session.snapshot();
     f.trigger("action_restart");
     QTRY_COMPARE(f.steps(), 0U);
+    // What is known of the tour is still seen, and nothing of the run.
+    const std::shared_ptr<const Snapshot> look = f.window->findChild<FirstLook*>()->snapshot();
+    QVERIFY(look && look->scan.stamp_s() == last->scan.stamp_s());
+    QVERIFY(look->best_map.empty() && look->best_trajectory.empty());
+    QVERIFY(f.window->findChild<QLabel*>("scan_panel_title")->text().startsWith("Newest scan"));
     f.trigger("action_run");
     QTRY_VERIFY(f.steps() == 1050 && f.shows_everything());
+    QCOMPARE(f.window->findChild<QLabel*>("scan_panel_title")->text(), QString("Last scan"));
     QVERIFY(f.session.is_live());
 }
 

@@ -296,7 +296,10 @@ void MainWindow::connect_views() {
     const auto show_snapshot = [this, shown, show_grid] {
         ui_->scan_view->set_snapshot(shown());
         const bool before = !session_.snapshot() && first_look_->snapshot();
-        ui_->scan_panel_title->setText(before ? tr("First scan, before the run") : tr("Last scan"));
+        ui_->scan_panel_title->setText(!before ? tr("Last scan")
+                                       : first_look_->is_newest()
+                                           ? tr("Newest scan, before the run")
+                                           : tr("First scan, before the run"));
         grid_waits_ =
             session_.progress().state == Progress::State::running && ui_->scan_view->isVisible();
         if (!grid_waits_) show_grid();

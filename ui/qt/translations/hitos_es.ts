@@ -8730,6 +8730,10 @@
         <source>Map what a running robot sees, or a log that is being written (Ctrl+Shift+N)</source>
         <translation>Hacer el mapa de lo que ve un robot en marcha, o de un registro que se está escribiendo (Ctrl+Mayús+N)</translation>
     </message>
+    <message>
+        <source>Newest scan, before the run</source>
+        <translation>Barrido más reciente, antes de la ejecución</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::MapWindow</name>

@@ -21,11 +21,21 @@ std::shared_ptr<const Snapshot> first_state(const Configuracion& configuration,
     return run.latest_snapshot();
 }
 
+/// The scan alone: where it was made the run that begins anew does not know.
+std::shared_ptr<const Snapshot> scan_of(const Snapshot& snapshot) {
+    auto seen = std::make_shared<Snapshot>();
+    seen->steps = 1;
+    seen->scan = snapshot.scan;
+    seen->observation = snapshot.observation;
+    return seen;
+}
+
 }  // namespace
 
 FirstLook::FirstLook(Session& session, QObject* parent) : QObject(parent), session_(session) {
     pool_.setMaxThreadCount(1);
     connect(&session, &Session::configuration_changed, this, &FirstLook::begin);
+    connect(&session, &Session::snapshot_changed, this, &FirstLook::note);
     begin();
 }
 
@@ -39,9 +49,15 @@ void FirstLook::begin() {
     stop_ = std::make_shared<std::atomic<bool>>(false);
     const bool possible = session_.has_source() && !session_.live_tour() && !session_.is_live();
     const SourceParams& source = session_.configuration().source;
-    if (!possible || source != source_)
+    const void* incoming = session_.incoming_tour().get();
+    const void* tour = session_.live_tour() ? session_.live_tour().get() : incoming;
+    const bool other_tour = std::exchange(tour_, tour) != tour;
+    if (std::exchange(source_, source) != source || other_tour) {
+        newest_ = nullptr;
         show(nullptr, stop_);  // else the one before stays meanwhile
-    source_ = source;
+    } else if (!possible && snapshot_ != newest_) {
+        show(newest_, stop_);
+    }
     if (!possible) return;
     // The run itself tells what is wrong with its tour, or was given up meanwhile.
     using Reader = std::unique_ptr<TourReader>;
@@ -60,6 +76,12 @@ void FirstLook::begin() {
         QMetaObject::invokeMethod(
             this, [this, state, stop] { show(state, stop); }, Qt::QueuedConnection);
     });
+}
+
+void FirstLook::note() {
+    const std::shared_ptr<const Snapshot> now = session_.snapshot();
+    if (now && (session_.live_tour() || session_.is_live())) newest_ = scan_of(*now);
+    if (!now && newest_) show(newest_, stop_);
 }
 
 void FirstLook::show(std::shared_ptr<const Snapshot> snapshot, const Stop& of) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the first scan looks like with the parameters in use, before anything runs.
+// What the first scan looks like with the parameters in use, before anything runs; of a tour that
+// comes in or is driven the newest one that is known.
 #pragma once
 
 #include <QObject>
@@ -20,9 +21,10 @@ class FirstLook final : public QObject {
     FirstLook(Session& session, QObject* parent);
     ~FirstLook() override;
 
-    /// The state after the first scan, as the run will have it; null while that is not known, and
-    /// of tours that are driven.
+    /// The state after the first scan, as the run will have it, or the newest scan alone; null
+    /// while neither is known.
     const std::shared_ptr<const Snapshot>& snapshot() const { return snapshot_; }
+    bool is_newest() const { return snapshot_ && snapshot_ == newest_; }
 
   signals:
     void changed();
@@ -30,11 +32,14 @@ class FirstLook final : public QObject {
   private:
     using Stop = std::shared_ptr<std::atomic<bool>>;
     void begin();
+    void note();
     void show(std::shared_ptr<const Snapshot> snapshot, const Stop& of);
 
     Session& session_;
     SourceParams source_;
+    const void* tour_ = nullptr;  ///< that comes in or is driven, to know another one by
     std::shared_ptr<const Snapshot> snapshot_;
+    std::shared_ptr<const Snapshot> newest_;
     Stop stop_;
     QThreadPool pool_;
 };
