@@ -22,6 +22,10 @@ struct CommandLine;
 
 /// Whether a change from one to the other is none: nothing for undo.
 bool same_configuration(const Configuracion& a, const Configuracion& b);
+/// The source as it is, but for what a preset brings of one.
+SourceParams with_preset(const SourceParams& source, const SourceParams& preset);
+/// Those that are not empty, in one line.
+QString sentences(QStringList parts);
 
 class ConfigurationActions final : public QObject {
     Q_OBJECT
