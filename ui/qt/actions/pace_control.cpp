@@ -10,6 +10,7 @@
 #include <array>
 
 #include "look/icons.hpp"
+#include "look/named.hpp"
 
 namespace hitos::window {
 namespace {
@@ -61,8 +62,7 @@ PaceControl::PaceControl(Session& session, QSettings& settings, QAction* full_sp
     auto* label = new QLabel(tr("Speed"), this);
     label->setProperty("role", "muted");
     row->addWidget(label);
-    paces_ = new QComboBox(this);
-    paces_->setObjectName("pace");
+    paces_ = named(new QComboBox(this), "pace");
     paces_->setToolTip(
         tr("How fast the run goes: against the time of the recording, in scans, or "
            "as fast as possible (Ctrl+Space)"));

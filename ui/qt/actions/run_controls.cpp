@@ -9,6 +9,7 @@
 
 #include "hitos/simulation/drive/simulated_tour.hpp"
 #include "look/icons.hpp"
+#include "look/named.hpp"
 #include "look/parameter_text.hpp"
 #include "pace_control.hpp"
 #include "views/time_line.hpp"
@@ -24,13 +25,11 @@ RunControls::RunControls(QWidget* parent) : QWidget(parent) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(6);
-    time_line_ = new TimeLine(this);
-    time_line_->setObjectName("time_line");
+    time_line_ = named(new TimeLine(this), "time_line");
 }
 
 QToolButton* RunControls::add_button(QAction* action, const char* name, bool primary) {
-    auto* button = new QToolButton(this);
-    button->setObjectName(name);
+    auto* button = named(new QToolButton(this), name);
     button->setProperty("role", "run");
     button->setProperty("primary", primary);
     button->setDefaultAction(action);

@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "look/named.hpp"
 #include "views/grid_view.hpp"
 #include "views/scan_view.hpp"
 
@@ -88,16 +89,14 @@ AnimationDialog::AnimationDialog(quint64 scans, QWidget* parent, std::optional<q
     auto* column = new QVBoxLayout(this);
     auto* form = new QFormLayout;
     column->addLayout(form);
-    view_ = new QComboBox(this);
-    view_->setObjectName("animation_view");
+    view_ = named(new QComboBox(this), "animation_view");
     view_->addItems({tr("Grid map"), tr("Last scan"), tr("Both, side by side")});
     form->addRow(tr("View"), view_);
     const int last = static_cast<int>(std::clamp<quint64>(scans, 1, kMostScansShown));
     const int most = std::max(
         last, static_cast<int>(std::min<quint64>(all.value_or(kMostScansShown), kMostScansShown)));
     const auto add = [this](const QString& label, const char* name, int greatest, int value) {
-        auto* box = new QSpinBox(this);
-        box->setObjectName(name);
+        auto* box = named(new QSpinBox(this), name);
         box->setAccessibleName(label);
         box->setRange(1, greatest);
         box->setValue(value);
@@ -108,16 +107,13 @@ AnimationDialog::AnimationDialog(quint64 scans, QWidget* parent, std::optional<q
     every_ = add(tr("A frame every so many scans"), "animation_every", most,
                  1 + (last - 1) / kFramesAtFirst);
     rate_ = add(tr("Frames a second"), "animation_rate", 60, 25);
-    size_ = new QComboBox(this);
-    size_->setObjectName("animation_size");
+    size_ = named(new QComboBox(this), "animation_size");
     size_->addItem(tr("As on the screen"), QSize());
     for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
         size_->addItem(tr("At most %1 × %2 pixels").arg(size.width()).arg(size.height()), size);
     }
-    still_ = new QCheckBox(tr("Camera stands still, as it is now"), this);
-    still_->setObjectName("animation_still");
-    sum_ = new QLabel(this);
-    sum_->setObjectName("animation_sum");
+    still_ = named(new QCheckBox(tr("Camera stands still, as it is now"), this), "animation_still");
+    sum_ = named(new QLabel(this), "animation_sum");
     column->addWidget(sum_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this);
     column->addWidget(buttons);

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "hitos/workbench/presets.hpp"
+#include "look/named.hpp"
 #include "look/parameter_text.hpp"
 #include "look/words_of.hpp"
 
@@ -17,16 +18,13 @@ HintBar::HintBar(QWidget* parent) : QFrame(parent) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(12, 6, 8, 6);
     row->setSpacing(8);
-    text_ = new QLabel;
-    text_->setObjectName("hint_text");
+    text_ = named(new QLabel, "hint_text");
     text_->setTextFormat(Qt::PlainText);
     text_->setWordWrap(true);
     row->addWidget(text_, 1);
-    use_ = new QPushButton;
-    use_->setObjectName("hint_use");
+    use_ = named(new QPushButton, "hint_use");
     row->addWidget(use_);
-    auto* close = new QPushButton(tr("Close"));
-    close->setObjectName("hint_close");
+    auto* close = named(new QPushButton(tr("Close")), "hint_close");
     row->addWidget(close);
     for (QPushButton* button : {use_, close}) button->setFocusPolicy(Qt::TabFocus);
     connect(use_, &QPushButton::clicked, this, [this] { emit preset_wanted(preset_); });

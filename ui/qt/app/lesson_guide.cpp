@@ -18,6 +18,7 @@
 #include "language.hpp"
 #include "look/docks.hpp"
 #include "look/markdown_page.hpp"
+#include "look/named.hpp"
 #include "look/prompts.hpp"
 #include "session/run_guard.hpp"
 
@@ -37,8 +38,7 @@ LessonGuide::LessonGuide(QMainWindow& window, QMenu& help, QAction* before,
         return;  // a page is missing: lessons that are not whole are not offered
     }
     if (lessons_.empty()) return;
-    auto* menu = new QMenu(tr("&Lessons"), &help);
-    menu->setObjectName("menu_lessons");
+    auto* menu = named(new QMenu(tr("&Lessons"), &help), "menu_lessons");
     help.insertMenu(before, menu);
     for (const Lesson& lesson : lessons_) {
         QString number = QString::number(lesson.number);
@@ -65,8 +65,7 @@ void LessonGuide::open(const Lesson& lesson) {
 
 void LessonGuide::show_page(const Lesson& lesson, const QString& path) {
     if (dock_ == nullptr) {
-        page_ = new MarkdownPage(&window_);
-        page_->setObjectName("lesson_page");
+        page_ = named(new MarkdownPage(&window_), "lesson_page");
         page_->setOpenLinks(false);
         page_->setTabChangesFocus(true);
         connect(page_, &QTextBrowser::anchorClicked, this, &LessonGuide::follow);

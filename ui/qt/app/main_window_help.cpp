@@ -13,6 +13,7 @@
 #include "hitos/services/results/results.hpp"
 #include "lesson_guide.hpp"
 #include "look/icons.hpp"
+#include "look/named.hpp"
 #include "look/screen_fit.hpp"
 #include "main_window.hpp"
 #include "ui_main_window.h"
@@ -23,8 +24,7 @@ namespace {
 /// A window that the user closes when it pleases; the run goes on meanwhile. What is longer than
 /// the screen scrolls.
 void show_text(QWidget* parent, const char* name, const QString& title, const QString& html) {
-    auto* dialog = new QDialog(parent);
-    dialog->setObjectName(name);
+    auto* dialog = named(new QDialog(parent), name);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(title);
     auto* column = new QVBoxLayout(dialog);

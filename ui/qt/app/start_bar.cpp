@@ -7,6 +7,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "look/named.hpp"
+
 namespace hitos::window {
 
 StartBar::StartBar(QWidget* parent) : QFrame(parent), row_(new QHBoxLayout(this)) {
@@ -23,8 +25,7 @@ void StartBar::offer(QAction& run, QAction& open, QAction& draw) {
         "start_open");
     add(tr("Draw a world"), tr("Walls by hand, and a robot driven through them (Ctrl+D)"), draw,
         "start_draw");
-    auto* close = new QPushButton(tr("Close"));
-    close->setObjectName("start_close");
+    auto* close = named(new QPushButton(tr("Close")), "start_close");
     close->setFocusPolicy(Qt::TabFocus);
     connect(close, &QPushButton::clicked, this, &QWidget::hide);
     row_->addWidget(close, 0, Qt::AlignTop);
@@ -34,8 +35,7 @@ void StartBar::offer(QAction& run, QAction& open, QAction& draw) {
 void StartBar::add(const QString& title, const QString& what, QAction& action, const char* name) {
     auto* column = new QVBoxLayout;
     column->setSpacing(2);
-    auto* button = new QPushButton(title);
-    button->setObjectName(name);
+    auto* button = named(new QPushButton(title), name);
     button->setFocusPolicy(Qt::TabFocus);
     auto* words = new QLabel(what);
     words->setProperty("role", "muted");

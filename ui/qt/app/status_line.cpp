@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hitos/workbench/presets.hpp"
+#include "look/named.hpp"
 #include "look/parameter_text.hpp"
 #include "look/words_of.hpp"
 #include "session/incoming_tour.hpp"
@@ -64,12 +65,10 @@ QString status_words(const Progress& p) {
 StatusLine::StatusLine(QStatusBar* bar, Session& session)
     : QObject(bar), session_(session), bar_(bar) {
     bar->setSizeGripEnabled(false);
-    state_ = new QLabel;
-    state_->setObjectName("status_state");
+    state_ = named(new QLabel, "status_state");
     state_->setContentsMargins(8, 2, 8, 2);
     bar->addPermanentWidget(state_);  // no message hides it
-    place_ = new QLabel;
-    place_->setObjectName("status_place");
+    place_ = named(new QLabel, "status_place");
     place_->setProperty("role", "muted");
     place_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     bar->addWidget(place_, 1);
@@ -93,8 +92,7 @@ StatusLine::StatusLine(QStatusBar* bar, Session& session)
 /// A label whose size does not change with its text: ten times a second the whole window would be
 /// laid out anew.
 QLabel* StatusLine::add(const char* name, const QString& longest) {
-    auto* label = new QLabel;
-    label->setObjectName(name);
+    auto* label = named(new QLabel, name);
     label->setContentsMargins(kMargin, 2, kMargin, 2);
     label->setFixedHeight(QFontMetrics(label->font()).height() + 6);
     widen(*label, longest);

@@ -17,6 +17,7 @@
 
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "look/elided_label.hpp"
+#include "look/named.hpp"
 #include "look/parameter_text.hpp"
 
 namespace hitos::window {
@@ -72,8 +73,8 @@ void add_row(QGridLayout* rows, const ConfigParameter& parameter,
     auto* name = new ElidedLabel(label_of(parameter));
     name->setMinimumWidth(20);
     set_role(name, "muted");
-    auto* value = new ElidedLabel(shown_value(parameter, configuration));
-    value->setObjectName("value_" + QString::fromStdString(std::string(parameter.key)));
+    auto* value = named(new ElidedLabel(shown_value(parameter, configuration)),
+                        "value_" + QString::fromStdString(std::string(parameter.key)));
     value->setTextFormat(Qt::PlainText);
     const bool changed = is_marked(parameter, configuration);
     set_role(value, changed ? "changed" : "value");
@@ -136,8 +137,7 @@ int fill_chip(QFrame& frame, ParameterGroup card, const Configuracion& configura
         if (card == ParameterGroup::source && file.isEmpty()) file = value;
     }
     if (!file.isEmpty()) marked.prepend(file);
-    auto* values = new ElidedLabel(marked.join(", "));
-    values->setObjectName("marked");
+    auto* values = named(new ElidedLabel(marked.join(", ")), "marked");
     values->setTextFormat(Qt::PlainText);
     values->setHidden(values->text().isEmpty());
     set_role(values, card == ParameterGroup::source ? "value" : "changed");

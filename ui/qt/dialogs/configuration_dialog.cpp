@@ -15,6 +15,7 @@
 
 #include "hitos/base/error.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
+#include "look/named.hpp"
 #include "look/parameter_text.hpp"
 #include "look/screen_fit.hpp"
 #include "look/theme.hpp"
@@ -101,8 +102,7 @@ void ConfigurationDialog::resizeEvent(QResizeEvent* event) {
 
 void ConfigurationDialog::add_group(Group group, QGridLayout* rows, QWidget* box) {
     auto* title = new QLabel(title_of(group, original_), box);
-    auto* more = new QToolButton(box);
-    more->setObjectName(QString("more_%1").arg(static_cast<int>(group)));
+    auto* more = named(new QToolButton(box), QString("more_%1").arg(static_cast<int>(group)));
     more->setProperty("role", "chip");
     more->setCheckable(true);
     connect(more, &QToolButton::toggled, this, &ConfigurationDialog::arrange);

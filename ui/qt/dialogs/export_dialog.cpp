@@ -16,6 +16,7 @@
 #include <array>
 #include <utility>
 
+#include "look/named.hpp"
 #include "look/screen_fit.hpp"
 
 namespace hitos::window {
@@ -29,8 +30,7 @@ constexpr double kAtFirst = 2.0;  // pixels of a file for each point of the scre
 
 QDoubleSpinBox* box_of(QWidget* parent, const char* name, double least, double most,
                        const QString& suffix) {
-    auto* box = new QDoubleSpinBox(parent);
-    box->setObjectName(name);
+    auto* box = named(new QDoubleSpinBox(parent), name);
     box->setDecimals(0);
     box->setRange(least, most);
     box->setSuffix(suffix);
@@ -46,31 +46,27 @@ ExportDialog::ExportDialog(Exportable what, QSettings& settings, QWidget* parent
     auto* row = new QHBoxLayout;
     auto* form = new QFormLayout;
     row->addLayout(form);
-    part_ = new QComboBox(this);
-    part_->setObjectName("export_part");
+    part_ = named(new QComboBox(this), "export_part");
     for (const FigureOffer& each : what_.offers) part_->addItem(each.words);
     if (what_.offers.size() > 1) {
         form->addRow(tr("What"), part_);
     } else {
         part_->hide();
     }
-    format_ = new QComboBox(this);
-    format_->setObjectName("export_format");
+    format_ = named(new QComboBox(this), "export_format");
     for (const char* format : kFormats) format_->addItem(QString(format).toUpper(), format);
     form->addRow(tr("Format"), format_);
     add_size(*form);
     add_parts(*form);
     auto* beside = new QVBoxLayout;
     row->addLayout(beside, 1);
-    preview_ = new QLabel(this);
-    preview_->setObjectName("export_preview");
+    preview_ = named(new QLabel(this), "export_preview");
     preview_->setAlignment(Qt::AlignCenter);
     preview_->setWordWrap(true);
     preview_->setMinimumSize(360, 280);
     preview_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
     beside->addWidget(preview_, 1);
-    sum_ = new QLabel(this);
-    sum_->setObjectName("export_sum");
+    sum_ = named(new QLabel(this), "export_sum");
     sum_->setProperty("role", "muted");
     sum_->setAlignment(Qt::AlignHCenter);
     beside->addWidget(sum_);
@@ -111,8 +107,7 @@ ExportDialog::ExportDialog(Exportable what, QSettings& settings, QWidget* parent
 }
 
 void ExportDialog::add_size(QFormLayout& form) {
-    unit_ = new QComboBox(this);
-    unit_->setObjectName("export_unit");
+    unit_ = named(new QComboBox(this), "export_unit");
     unit_->addItems({tr("Pixels, as on the screen"), tr("Millimetres, for print")});
     form.addRow(tr("Size in"), unit_);
     width_pixels_ = box_of(this, "export_pixels", 64.0, kMostPixels, tr(" pixels"));
@@ -128,21 +123,18 @@ void ExportDialog::add_size(QFormLayout& form) {
 }
 
 void ExportDialog::add_parts(QFormLayout& form) {
-    title_ = new QLineEdit(this);
-    title_->setObjectName("export_title");
+    title_ = named(new QLineEdit(this), "export_title");
     title_->setPlaceholderText(tr("none"));
     form.addRow(tr("Title"), title_);
     const auto add = [&](const char* name, const QString& words) {
-        auto* box = new QCheckBox(words, this);
-        box->setObjectName(name);
+        auto* box = named(new QCheckBox(words, this), name);
         form.addRow(QString(), box);
         return box;
     };
     axes_ = add("export_axes", tr("Axes in metres"));
     legend_ = add("export_legend", tr("Legend"));
     light_ = add("export_light", tr("Light ground"));
-    layers_ = new QListWidget(this);
-    layers_->setObjectName("export_layers");
+    layers_ = named(new QListWidget(this), "export_layers");
     layers_->setMinimumHeight(fontMetrics().height() * 5);
     form.addRow(tr("Layers"), layers_);
 }

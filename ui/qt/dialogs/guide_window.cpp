@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "look/markdown_page.hpp"
+#include "look/named.hpp"
 #include "look/screen_fit.hpp"
 #include "look/theme.hpp"
 
@@ -100,8 +101,7 @@ QLayout* GuideWindow::make_tools() {
     auto* row = new QHBoxLayout;
     const auto add = [&](const QString& words, Qt::ArrowType arrow, QKeySequence::StandardKey key,
                          const char* name) {
-        auto* button = new QToolButton(this);
-        button->setObjectName(name);
+        auto* button = named(new QToolButton(this), name);
         button->setArrowType(arrow);
         button->setAccessibleName(words);
         button->setToolTip(words + " (" + QKeySequence(key).toString(QKeySequence::NativeText) +

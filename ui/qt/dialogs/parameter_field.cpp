@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "hitos/base/error.hpp"
+#include "look/named.hpp"
 #include "look/parameter_text.hpp"
 #include "look/theme.hpp"
 #include "look/written_number.hpp"
@@ -68,8 +69,7 @@ ParameterField::ParameterField(const ParameterFacts& facts, const std::string& n
         unit_ = new QLabel(unit_of(facts), parent);
         unit_->setProperty("role", "muted");
     }
-    error_ = new QLabel(parent);
-    error_->setObjectName("error_" + key);
+    error_ = named(new QLabel(parent), "error_" + key);
     error_->setProperty("role", "error");
     error_->setWordWrap(true);
     error_->hide();

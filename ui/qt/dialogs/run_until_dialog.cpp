@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "look/named.hpp"
 #include "look/parameter_text.hpp"
 #include "look/theme.hpp"
 
@@ -33,8 +34,7 @@ RunUntilDialog::RunUntilDialog(Session& session, QSettings& settings, QWidget* p
     setObjectName("run_until");
     setWindowTitle(tr("Run until"));
     auto* column = new QVBoxLayout(this);
-    hint_ = new QLabel(tr("The run stops at the first of these that is met."), this);
-    hint_->setObjectName("hint");
+    hint_ = named(new QLabel(tr("The run stops at the first of these that is met."), this), "hint");
     hint_->setWordWrap(true);
     column->addWidget(hint_);
     form_ = new QFormLayout;
@@ -99,8 +99,7 @@ QDoubleSpinBox* RunUntilDialog::value_box(double most, double step, int decimals
 }
 
 QCheckBox* RunUntilDialog::add(const char* name, const QString& text, QAbstractSpinBox* value) {
-    auto* chosen = new QCheckBox(text, this);
-    chosen->setObjectName(QString("until_") + name);
+    auto* chosen = named(new QCheckBox(text, this), QString("until_") + name);
     if (value != nullptr) {
         value->setObjectName(QString("value_") + name);
         value->setAccessibleName(text);

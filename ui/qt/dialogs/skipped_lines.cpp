@@ -8,6 +8,7 @@
 #include <QPlainTextEdit>
 #include <QVBoxLayout>
 
+#include "look/named.hpp"
 #include "look/screen_fit.hpp"
 #include "look/words_of.hpp"
 
@@ -29,8 +30,7 @@ void show_skipped_lines(QWidget* parent, const QString& file, const ReadReport& 
         lines << skipped_words(QT_TRANSLATE_NOOP("SkippedLines", "… and %1 more"))
                      .arg(report.skipped - report.examples.size());
     }
-    auto* dialog = new QDialog(parent);
-    dialog->setObjectName("skipped_lines");
+    auto* dialog = named(new QDialog(parent), "skipped_lines");
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     const char* title =
         report.of_recording

@@ -17,6 +17,7 @@
 #include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
+#include "look/named.hpp"
 #include "look/parameter_text.hpp"
 #include "look/screen_fit.hpp"
 #include "look/theme.hpp"
@@ -135,8 +136,7 @@ SourceDialog::SourceDialog(SourceParams source, Prompts& prompts, QString folder
     ui_->odom_topic->setText(QString::fromStdString(source_.read.odom_topic));
     how_read_ = new SourceReading(source_, this);
     ui_->reading_place->addWidget(how_read_);
-    topics_ = new TopicList(this);
-    topics_->setObjectName("topics");
+    topics_ = named(new TopicList(this), "topics");
     topics_->hide();
     auto* column = static_cast<QBoxLayout*>(layout());
     column->insertWidget(column->indexOf(ui_->lines), topics_, 1);
@@ -384,9 +384,9 @@ void SourceDialog::offer_remedies(const std::vector<TourFinding>& findings) {
                 std::ranges::none_of(remedy.settings, is_new)) {
                 continue;
             }
-            auto* button =
-                new QPushButton(tr("Set %1").arg(words_of(remedy.settings)), ui_->verdict_box);
-            button->setObjectName("remedy_" + to_qt(remedy.settings.front().key));
+            auto* button = named(
+                new QPushButton(tr("Set %1").arg(words_of(remedy.settings)), ui_->verdict_box),
+                "remedy_" + to_qt(remedy.settings.front().key));
             button->setToolTip(words_of(remedy.words));
             button->setAutoDefault(false);
             connect(button, &QPushButton::clicked, this, [this, settings = remedy.settings] {

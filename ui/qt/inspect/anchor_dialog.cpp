@@ -18,6 +18,7 @@
 #include "drawn_walls.hpp"
 #include "hitos/registration/seen_wall.hpp"
 #include "hitos/simulation/drawings/dxf_walls.hpp"
+#include "look/named.hpp"
 #include "look/theme.hpp"
 #include "look/words_of.hpp"
 #include "look/written_number.hpp"
@@ -62,49 +63,40 @@ AnchorDialog::AnchorDialog(Session& session, QWidget* parent) : QDialog(parent),
     auto* column = new QVBoxLayout(this);
     auto* top = new QHBoxLayout;
     column->addLayout(top);
-    kind_ = new QComboBox(this);
-    kind_->setObjectName("anchor_kind");
+    kind_ = named(new QComboBox(this), "anchor_kind");
     kind_->addItems({tr("A wall"), tr("A point")});
     kind_->setToolTip(tr("What the scan and the drawing have in common"));
     top->addWidget(kind_);
-    open_ = new QPushButton(tr("Drawing…"), this);
-    open_->setObjectName("anchor_open");
+    open_ = named(new QPushButton(tr("Drawing…"), this), "anchor_open");
     open_->setAutoDefault(false);
     open_->setToolTip(
         tr("A DXF drawing, a world, a reference map, or segments.txt of a run; coordinates can be "
            "written without any"));
     top->addWidget(open_);
-    unit_ = new QComboBox(this);
-    unit_->setObjectName("anchor_unit");
+    unit_ = named(new QComboBox(this), "anchor_unit");
     unit_->setToolTip(tr("The unit of a DXF drawing"));
     unit_->addItem(tr("as the drawing says, else metres"), 0.0);
     for (const DrawingUnit& unit : kDrawingUnits)
         unit_->addItem(QCoreApplication::translate("DrawingUnit", unit.name), unit.metres);
     unit_->hide();
     top->addWidget(unit_);
-    notes_ = new QLabel(this);
-    notes_->setObjectName("anchor_notes");
+    notes_ = named(new QLabel(this), "anchor_notes");
     notes_->setWordWrap(true);
     top->addWidget(notes_, 1);
     auto* halves = new QSplitter(Qt::Horizontal, this);
     column->addWidget(halves, 1);
-    drawing_ =
-        new WallView(tr("Drawing"), tr("Open a drawing, or write the coordinates below."), halves);
-    drawing_->setObjectName("anchor_drawing");
-    scan_ = new WallView(tr("Scan"), tr("No scan is shown."), halves);
-    scan_->setObjectName("anchor_scan");
-    drawn_ = new QLineEdit(this);
-    drawn_->setObjectName("anchor_drawn");
-    seen_ = new QLineEdit(this);
-    seen_->setObjectName("anchor_seen");
+    drawing_ = named(
+        new WallView(tr("Drawing"), tr("Open a drawing, or write the coordinates below."), halves),
+        "anchor_drawing");
+    scan_ = named(new WallView(tr("Scan"), tr("No scan is shown."), halves), "anchor_scan");
+    drawn_ = named(new QLineEdit(this), "anchor_drawn");
+    seen_ = named(new QLineEdit(this), "anchor_seen");
     halves->addWidget(made_side(drawing_, drawn_, tr("In the drawing")));
     halves->addWidget(made_side(scan_, seen_, tr("In the scan")));
-    state_ = new QLabel(this);
-    state_->setObjectName("anchor_state");
+    state_ = named(new QLabel(this), "anchor_state");
     state_->setWordWrap(true);
     column->addWidget(state_);
-    effect_ = new QLabel(this);
-    effect_->setObjectName("anchor_effect");
+    effect_ = named(new QLabel(this), "anchor_effect");
     effect_->setWordWrap(true);
     column->addWidget(effect_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);

@@ -10,6 +10,7 @@
 
 #include "association_words.hpp"
 #include "look/flow_layout.hpp"
+#include "look/named.hpp"
 #include "look/parameter_text.hpp"
 #include "look/words_of.hpp"
 #include "views/landmark_painter.hpp"
@@ -158,8 +159,7 @@ AssociationInspector::AssociationInspector(Session& session, QWidget* parent)
     auto* row = new QHBoxLayout(of_particle_);
     row->setContentsMargins(0, 0, 0, 0);
     auto* label = new QLabel(tr("Of particle"), of_particle_);
-    particle_ = new QSpinBox(of_particle_);
-    particle_->setObjectName("association_particle");
+    particle_ = named(new QSpinBox(of_particle_), "association_particle");
     particle_->setSpecialValueText(tr("the best"));
     particle_->setRange(-1, -1);
     label->setBuddy(particle_);
@@ -167,17 +167,14 @@ AssociationInspector::AssociationInspector(Session& session, QWidget* parent)
     row->addWidget(particle_);
     row->addStretch(1);
     seen->addWidget(of_particle_);
-    features_ = new FiguresTable(feature_model_, this);
-    features_->setObjectName("feature_table");
+    features_ = named(new FiguresTable(feature_model_, this), "feature_table");
     features_->setAccessibleName(tr("Features of the scan"));
     seen->addWidget(features_, 1);
-    words_ = new QLabel(this);
-    words_->setObjectName("association_words");
+    words_ = named(new QLabel(this), "association_words");
     words_->setWordWrap(true);
     words_->setTextFormat(Qt::PlainText);
     why->addWidget(words_);
-    candidates_ = new FiguresTable(candidate_model_, this);
-    candidates_->setObjectName("candidate_table");
+    candidates_ = named(new FiguresTable(candidate_model_, this), "candidate_table");
     candidates_->setAccessibleName(tr("Landmarks it was compared with"));
     candidates_->sortByColumn(CandidateModel::distance, Qt::AscendingOrder);
     why->addWidget(candidates_, 1);

@@ -15,6 +15,7 @@
 #include "hitos/services/evaluation/measures.hpp"
 #include "look/edit_words.hpp"
 #include "look/flow_layout.hpp"
+#include "look/named.hpp"
 #include "look/parameter_text.hpp"
 #include "look/undo_keys.hpp"
 #include "look/words_of.hpp"
@@ -43,50 +44,41 @@ EditList::EditList(Session& session, QWidget& table, QWidget* parent)
     : QWidget(parent), session_(session), table_(table) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    list_ = new QListWidget(this);
-    list_->setObjectName("graph_edits");
+    list_ = named(new QListWidget(this), "graph_edits");
     list_->setAccessibleName(tr("Changes by hand"));
     list_->setWordWrap(true);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setMaximumHeight(4 * fontMetrics().height());
     column->addWidget(list_);
-    warnings_ = new QLabel(this);
-    warnings_->setObjectName("edit_warnings");
+    warnings_ = named(new QLabel(this), "edit_warnings");
     warnings_->setWordWrap(true);
     column->addWidget(warnings_);
     auto* bar = new QWidget(this);
     auto* row = new FlowLayout(bar, 4);
-    take_back_ = new QPushButton(tr("Take back the change"), bar);
-    take_back_->setObjectName("edit_take_back");
+    take_back_ = named(new QPushButton(tr("Take back the change"), bar), "edit_take_back");
     row->addWidget(take_back_);
-    slip_ = new QPushButton(bar);
-    slip_->setObjectName("edit_slip");
+    slip_ = named(new QPushButton(bar), "edit_slip");
     slip_->setToolTip(
         tr("The odometry says nothing of the step to the scan that is shown: its "
            "wheels slipped, or somebody pushed the robot"));
     row->addWidget(slip_);
-    fix_ = new QPushButton(bar);
-    fix_->setObjectName("edit_fix");
+    fix_ = named(new QPushButton(bar), "edit_fix");
     fix_->setToolTip(tr("The scan that is shown was made there: it stays, and the map bends"));
     row->addWidget(fix_);
-    at_ = new QLineEdit(bar);
-    at_->setObjectName("edit_fix_at");
+    at_ = named(new QLineEdit(bar), "edit_fix_at");
     make_pose_line(*at_, tr("x, y [m] and heading [°] in the map"));
     row->addWidget(at_);
-    anchor_ = new QPushButton(tr("Anchor…"), bar);
-    anchor_->setObjectName("edit_anchor");
+    anchor_ = named(new QPushButton(tr("Anchor…"), bar), "edit_anchor");
     anchor_->setToolTip(
         tr("A wall or point of the scan that is shown is one of a drawing, or has known "
            "coordinates: the map bends to it"));
     row->addWidget(anchor_);
-    before_ = new QPushButton(tr("As before"), bar);
-    before_->setObjectName("edit_before");
+    before_ = named(new QPushButton(tr("As before"), bar), "edit_before");
     before_->setCheckable(true);
     before_->setToolTip(tr("Shows the map as it was before the last change"));
     row->addWidget(before_);
     column->addWidget(bar);
-    effect_ = new QLabel(this);
-    effect_->setObjectName("edit_effect");
+    effect_ = named(new QLabel(this), "edit_effect");
     effect_->setWordWrap(true);
     column->addWidget(effect_);
     connect(before_, &QPushButton::toggled, &session_, &Session::show_before);

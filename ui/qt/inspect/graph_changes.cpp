@@ -10,6 +10,7 @@
 #include <map>
 #include <utility>
 
+#include "look/named.hpp"
 #include "look/undo_keys.hpp"
 
 namespace hitos::window {
@@ -94,16 +95,14 @@ std::vector<std::optional<double>> errors_of_edits(const ShownGraph& graph) {
 GraphChanges::GraphChanges(QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    list_ = new QListWidget(this);
-    list_->setObjectName("graph_edits");
+    list_ = named(new QListWidget(this), "graph_edits");
     list_->setAccessibleName(tr("Changes by hand"));
     list_->setFixedHeight(5 * fontMetrics().height());
     list_->setWordWrap(true);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setResizeMode(QListView::Adjust);
     column->addWidget(list_);
-    take_back_ = new QPushButton(tr("Take back the change"), this);
-    take_back_->setObjectName("graph_take_back");
+    take_back_ = named(new QPushButton(tr("Take back the change"), this), "graph_take_back");
     take_back_->setAutoDefault(false);
     take_back_->setEnabled(false);
     column->addWidget(take_back_);

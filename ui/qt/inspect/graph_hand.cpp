@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "look/named.hpp"
 #include "look/theme.hpp"
 #include "look/undo_keys.hpp"
 #include "workers/graph_solver.hpp"
@@ -63,8 +64,7 @@ GraphHand::GraphHand(QWidget& list, QWidget* parent) : QWidget(parent), list_(li
 
 QPushButton* GraphHand::made_button(const char* name, const QString& words, const QString& tip,
                                     void (GraphHand::*pressed)()) {
-    auto* button = new QPushButton(words, this);
-    button->setObjectName(name);
+    auto* button = named(new QPushButton(words, this), name);
     button->setToolTip(tip);
     button->setAutoDefault(false);
     connect(button, &QPushButton::clicked, this, pressed);
@@ -72,8 +72,7 @@ QPushButton* GraphHand::made_button(const char* name, const QString& words, cons
 }
 
 QLineEdit* GraphHand::made_number(const char* name, const QString& words) {
-    auto* line = new QLineEdit(this);
-    line->setObjectName(name);
+    auto* line = named(new QLineEdit(this), name);
     line->setToolTip(words);
     line->setAccessibleName(words);
     line->setValidator(new QRegularExpressionValidator(QRegularExpression("[0-9]{1,19}"), line));
@@ -86,8 +85,7 @@ QLineEdit* GraphHand::made_number(const char* name, const QString& words) {
 }
 
 QLineEdit* GraphHand::made_pose(const char* name, const QString& words, QPushButton* done) {
-    auto* line = new QLineEdit(this);
-    line->setObjectName(name);
+    auto* line = named(new QLineEdit(this), name);
     make_pose_line(*line, words);
     connect(line, &QLineEdit::returnPressed, done, &QPushButton::click);
     connect(line, &QLineEdit::textChanged, this, &GraphHand::show_state);

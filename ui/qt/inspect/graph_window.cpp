@@ -24,6 +24,7 @@
 #include "graph_words.hpp"
 #include "hitos/base/text_input.hpp"
 #include "look/flow_layout.hpp"
+#include "look/named.hpp"
 #include "look/screen_fit.hpp"
 #include "look/steady_label.hpp"
 #include "look/undo_keys.hpp"
@@ -58,14 +59,12 @@ GraphWindow::GraphWindow(const QString& path, UserFiles& files, Prompts& prompts
     auto* column = new QVBoxLayout(this);
     column->addWidget(made_tools());
     auto* halves = new QSplitter(this);
-    view_ = new GraphView(halves);
-    view_->setObjectName("graph_view");
+    view_ = named(new GraphView(halves), "graph_view");
     halves->addWidget(made_column());
     halves->setStretchFactor(0, 1);
     halves->setChildrenCollapsible(false);
     column->addWidget(halves, 1);
-    words_ = new QLabel(this);
-    words_->setObjectName("graph_words");
+    words_ = named(new QLabel(this), "graph_words");
     column->addWidget(keep_lines(*words_, 2));
     connect(view_, &GraphView::pose_clicked, this, &GraphWindow::take_pose);
     connect(view_, &GraphView::edge_clicked, this, [this](quint64 edge) { choose_edge(edge); });
@@ -86,13 +85,11 @@ GraphWindow::GraphWindow(const QString& path, UserFiles& files, Prompts& prompts
 QWidget* GraphWindow::made_tools() {
     auto* bar = new QWidget(this);
     auto* row = new FlowLayout(bar, 6);
-    robust_ = new QCheckBox(tr("Robust"), bar);
-    robust_->setObjectName("graph_robust");
+    robust_ = named(new QCheckBox(tr("Robust"), bar), "graph_robust");
     robust_->setToolTip(tr("Edges far from the rest lose weight, as false ones are"));
     connect(robust_, &QCheckBox::toggled, this, &GraphWindow::solve);
     row->addWidget(robust_);
-    worst_ = new QSpinBox(bar);
-    worst_->setObjectName("graph_worst");
+    worst_ = named(new QSpinBox(bar), "graph_worst");
     worst_->setPrefix(tr("Greatest errors: "));
     worst_->setAccessibleName(tr("Greatest errors: "));
     worst_->setRange(0, static_cast<int>(kMostWorst));
@@ -137,8 +134,7 @@ QWidget* GraphWindow::made_column() {
     auto* side = new QWidget(this);
     auto* column = new QVBoxLayout(side);
     column->setContentsMargins(6, 0, 0, 0);
-    table_ = new FiguresTable(model_, side);
-    table_->setObjectName("graph_table");
+    table_ = named(new FiguresTable(model_, side), "graph_table");
     table_->setAccessibleName(tr("Edges of the greatest errors"));
     table_->sortByColumn(GraphModel::error, Qt::DescendingOrder);
     table_->setMinimumHeight(80);
@@ -162,8 +158,7 @@ QWidget* GraphWindow::made_column() {
 
 QPushButton* GraphWindow::made_button(QWidget* parent, const char* name, const QString& words,
                                       const QString& tip, void (GraphWindow::*pressed)()) {
-    auto* button = new QPushButton(words, parent);
-    button->setObjectName(name);
+    auto* button = named(new QPushButton(words, parent), name);
     button->setToolTip(tip);
     button->setAutoDefault(false);
     if (pressed != nullptr) connect(button, &QPushButton::clicked, this, pressed);

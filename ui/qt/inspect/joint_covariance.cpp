@@ -15,6 +15,7 @@
 
 #include "hitos/base/thread_clock.hpp"
 #include "look/flow_layout.hpp"
+#include "look/named.hpp"
 #include "look/parameter_text.hpp"
 #include "views/canvas_paint.hpp"
 
@@ -282,17 +283,14 @@ JointCovariance::JointCovariance(Session& session, QWidget* parent)
     row->addLayout(column, 1);  // beside the square, not at the far end
     constexpr int kWide = 480;
     stack_when_narrow(*this, *row, kWide);
-    words_ = new QLabel(this);
-    words_->setObjectName("joint_words");
+    words_ = named(new QLabel(this), "joint_words");
     words_->setTextFormat(Qt::PlainText);
     words_->setWordWrap(true);
     words_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     words_->setMinimumWidth(fontMetrics().averageCharWidth() * 32);
     column->addWidget(words_, 1);
-    save_ = new QPushButton(tr("Save as image…"), this);
-    save_->setObjectName("joint_picture");
-    copy_ = new QPushButton(tr("Copy picture"), this);
-    copy_->setObjectName("joint_copy");
+    save_ = named(new QPushButton(tr("Save as image…"), this), "joint_picture");
+    copy_ = named(new QPushButton(tr("Copy picture"), this), "joint_copy");
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(save_);
     buttons->addWidget(copy_);

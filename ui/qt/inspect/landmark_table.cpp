@@ -7,6 +7,7 @@
 #include <span>
 
 #include "hitos/services/files/tour_time.hpp"
+#include "look/named.hpp"
 #include "look/words_of.hpp"
 
 namespace hitos::window {
@@ -115,8 +116,7 @@ LandmarkTable::LandmarkTable(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), model_(new LandmarkModel(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 4, 4, 4);
-    table_ = new FiguresTable(model_, this);
-    table_->setObjectName("landmark_table");
+    table_ = named(new FiguresTable(model_, this), "landmark_table");
     table_->setAccessibleName(tr("Landmarks"));
     column->addWidget(table_);
     connect(&session, &Session::snapshot_changed, this, &LandmarkTable::refresh);

@@ -21,6 +21,7 @@
 #include "hitos/services/evaluation/reference_fit.hpp"
 #include "hitos/slam/filters.hpp"
 #include "look/flow_layout.hpp"
+#include "look/named.hpp"
 #include "look/parameter_text.hpp"
 #include "look/screen_fit.hpp"
 #include "look/undo_keys.hpp"
@@ -103,16 +104,13 @@ LoopTable::LoopTable(Session& session, QWidget* parent)
     inside->setContentsMargins(0, 0, 0, 0);
     inside->addWidget(made_bar(there_));
     auto* halves = new QSplitter(Qt::Vertical, there_);
-    table_ = new FiguresTable(model_, halves);
-    table_->setObjectName("loop_table");
+    table_ = named(new FiguresTable(model_, halves), "loop_table");
     table_->setMinimumHeight(80);
     table_->setAccessibleName(tr("Loops"));
-    view_ = new LoopView(halves);
-    view_->setObjectName("loop_view");
+    view_ = named(new LoopView(halves), "loop_view");
     view_->setMinimumHeight(120);
     inside->addWidget(halves, 1);
-    reason_ = new QLabel(there_);
-    reason_->setObjectName("loop_reason");
+    reason_ = named(new QLabel(there_), "loop_reason");
     reason_->setWordWrap(true);
     inside->addWidget(reason_);
     edits_ = new EditList(session, *table_, there_);
@@ -122,8 +120,7 @@ LoopTable::LoopTable(Session& session, QWidget* parent)
     connect(edits_, &EditList::drawing_wanted, this, &LoopTable::drawing_wanted);
     connect(edits_, &EditList::drawing_read, this, &LoopTable::drawing_read);
     column->addWidget(scroll_, 1);
-    none_ = new QLabel(this);
-    none_->setObjectName("no_loops");
+    none_ = named(new QLabel(this), "no_loops");
     none_->setAlignment(Qt::AlignCenter);
     none_->setWordWrap(true);
     column->addWidget(none_, 1);
@@ -156,8 +153,7 @@ LoopTable::LoopTable(Session& session, QWidget* parent)
 QWidget* LoopTable::made_bar(QWidget* parent) {
     auto* bar = new QWidget(parent);
     auto* row = new FlowLayout(bar, 4);
-    which_ = new QComboBox(bar);
-    which_->setObjectName("loops_listed");
+    which_ = named(new QComboBox(bar), "loops_listed");
     which_->addItems(
         {tr("All places (%1)").arg(0), tr("Closed loops (%1)").arg(0), tr("Refused (%1)").arg(0)});
     which_->setCurrentIndex(closed);
@@ -190,15 +186,13 @@ QWidget* LoopTable::made_bar(QWidget* parent) {
 
 QPushButton* LoopTable::add_button(QWidget* parent, const char* name,
                                    void (LoopTable::*pressed)()) {
-    auto* button = new QPushButton(parent);
-    button->setObjectName(name);
+    auto* button = named(new QPushButton(parent), name);
     if (pressed != nullptr) connect(button, &QPushButton::clicked, this, pressed);
     return button;
 }
 
 QSpinBox* LoopTable::add_number(QWidget* parent, const char* name, const QString& words) {
-    auto* number = new QSpinBox(parent);
-    number->setObjectName(name);
+    auto* number = named(new QSpinBox(parent), name);
     number->setPrefix(words);
     number->setKeyboardTracking(false);
     number->setRange(1, 1);

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "look/flow_layout.hpp"
+#include "look/named.hpp"
 #include "look/parameter_text.hpp"
 #include "look/words_of.hpp"
 
@@ -74,12 +75,10 @@ ParticleTable::ParticleTable(Session& session, QWidget* parent)
     row->addWidget(add_button(tr("Save path…"), "particle_path", &ParticleTable::path_wanted));
     buttons_->setEnabled(false);
     column->addWidget(buttons_);
-    table_ = new FiguresTable(model_, this);
-    table_->setObjectName("particle_table");
+    table_ = named(new FiguresTable(model_, this), "particle_table");
     table_->setAccessibleName(tr("Particles"));
     column->addWidget(table_, 1);
-    none_ = new QLabel(this);
-    none_->setObjectName("no_particles");
+    none_ = named(new QLabel(this), "no_particles");
     none_->setAlignment(Qt::AlignCenter);
     none_->setWordWrap(true);
     column->addWidget(none_, 1);
@@ -92,8 +91,7 @@ ParticleTable::ParticleTable(Session& session, QWidget* parent)
 
 QPushButton* ParticleTable::add_button(const QString& text, const char* name,
                                        void (ParticleTable::*wanted)(int)) {
-    auto* button = new QPushButton(text, buttons_);
-    button->setObjectName(name);
+    auto* button = named(new QPushButton(text, buttons_), name);
     connect(button, &QPushButton::clicked, this, [this, wanted] {
         if (chosen_) emit(this->*wanted)(static_cast<int>(*chosen_));
     });

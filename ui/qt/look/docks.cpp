@@ -7,6 +7,8 @@
 #include <QMenu>
 #include <QTabBar>
 
+#include "named.hpp"
+
 namespace hitos::window {
 namespace {
 
@@ -55,8 +57,7 @@ void restore_docks(QMainWindow& window, const QByteArray& state) {
 
 QDockWidget* make_dock(QMainWindow& window, QDockWidget* first, QWidget* widget,
                        const QString& title, const char* name) {
-    auto* dock = new QDockWidget(title, &window);
-    dock->setObjectName(name);
+    auto* dock = named(new QDockWidget(title, &window), name);
     dock->setWidget(widget);
     QObject::connect(dock, &QDockWidget::visibilityChanged, widget, &QWidget::setEnabled);
     QObject::connect(dock, &QDockWidget::visibilityChanged, &window, [&window, dock](bool shown) {

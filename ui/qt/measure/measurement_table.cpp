@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "look/flow_layout.hpp"
+#include "look/named.hpp"
 #include "look/written_number.hpp"
 
 namespace hitos::window {
@@ -188,13 +189,11 @@ MeasurementTable::MeasurementTable(Measurements& measurements, UserFiles& files,
     row->addWidget(add_button(tr("Open…"), "measurement_open", &MeasurementTable::ask_and_open));
     row->addWidget(save_ = add_button(tr("Save…"), "measurement_save", &MeasurementTable::save));
     save_->setToolTip(tr("Write the distances between walls as a file for hitos-cli --distances"));
-    means_ = new QLabel(this);
-    means_->setObjectName("measurement_means");
+    means_ = named(new QLabel(this), "measurement_means");
     means_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     column->addWidget(means_);
     auto* model = new MeasurementModel(measurements, this);
-    table_ = new FiguresTable(model, this);
-    table_->setObjectName("measurement_table");
+    table_ = named(new FiguresTable(model, this), "measurement_table");
     table_->setItemDelegate(new KeepingDelegate(table_));
     table_->setAccessibleName(tr("Measurements"));
     column->addWidget(table_);
@@ -206,8 +205,7 @@ MeasurementTable::MeasurementTable(Measurements& measurements, UserFiles& files,
 
 QPushButton* MeasurementTable::add_button(const QString& text, const char* name,
                                           void (MeasurementTable::*slot)()) {
-    auto* button = new QPushButton(text, this);
-    button->setObjectName(name);
+    auto* button = named(new QPushButton(text, this), name);
     connect(button, &QPushButton::clicked, this, slot);
     return button;
 }

@@ -14,6 +14,7 @@
 #include <span>
 #include <utility>
 
+#include "look/named.hpp"
 #include "look/parameter_text.hpp"
 #include "look/screen_fit.hpp"
 #include "look/theme.hpp"
@@ -54,8 +55,7 @@ CompareWindow::CompareWindow(RunList& list, const ViewSettings& settings, QWidge
     connect(strip_, &ErrorStrip::alignment_changed, this, [this] { measure(); });
     connect(strip_, &ErrorStrip::picture_wanted, this, &CompareWindow::picture_wanted);
     connect(&settings, &ViewSettings::theme_changed, strip_, &ErrorStrip::restyle);
-    verdict_ = new QLabel(this);
-    verdict_->setObjectName("compare_verdict");
+    verdict_ = named(new QLabel(this), "compare_verdict");
     verdict_->setWordWrap(true);
     column->addWidget(verdict_);
     blink_.setInterval(kBlinkMs);
@@ -99,8 +99,7 @@ QWidget* CompareWindow::make_tools() {
     modes_.front()->setChecked(true);
     connect(group, &QButtonGroup::idClicked, this, [this](int id) { set_mode(Mode(id)); });
     row->addSpacing(12);
-    figures_ = new QToolButton(tools);
-    figures_->setObjectName("compare_figures_shown");
+    figures_ = named(new QToolButton(tools), "compare_figures_shown");
     figures_->setText(tr("Figures"));
     figures_->setToolTip(tr("How far all are from the reference trajectory"));
     figures_->setProperty("role", "view");

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "hitos/services/files/tour_time.hpp"
+#include "look/named.hpp"
 #include "look/words_of.hpp"
 #include "run_list.hpp"
 #include "views/plot_style.hpp"
@@ -102,8 +103,7 @@ void ErrorStrip::make_curves(std::size_t count) {
             plot_->addGraph(rect_->axis(QCPAxis::atBottom), rect_->axis(QCPAxis::atLeft));
         curve->addToLegend(legend_);
         curves_.push_back(curve);
-        auto* words = new QLabel(this);
-        words->setObjectName(QString("figures_%1").arg(words_.size()));
+        auto* words = named(new QLabel(this), QString("figures_%1").arg(words_.size()));
         words->setTextFormat(Qt::PlainText);
         words->setWordWrap(true);
         words->setMinimumHeight(fontMetrics().lineSpacing());
@@ -117,13 +117,11 @@ QWidget* ErrorStrip::make_tools() {
     auto* tools = new QWidget(this);
     auto* row = new QHBoxLayout(tools);
     row->setContentsMargins(0, 0, 0, 0);
-    along_ = new QComboBox(tools);
-    along_->setObjectName("figures_along");
+    along_ = named(new QComboBox(tools), "figures_along");
     along_->setAccessibleName(tr("Error along"));
     along_->addItems({tr("Over time"), tr("By way")});
     connect(along_, &QComboBox::currentIndexChanged, this, &ErrorStrip::draw);
-    aligned_ = new QCheckBox(tr("Aligned"), tools);
-    aligned_->setObjectName("figures_aligned");
+    aligned_ = named(new QCheckBox(tr("Aligned"), tools), "figures_aligned");
     aligned_->setToolTip(
         tr("Each path is laid over the reference as well as possible, as for the ATE, and the maps "
            "over the left one likewise; else so that the first poses agree"));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "look/flow_layout.hpp"
+#include "look/named.hpp"
 #include "look/parameter_text.hpp"
 #include "look/words_of.hpp"
 #include "views/canvas_paint.hpp"
@@ -93,8 +94,7 @@ RunsPanel::RunsPanel(Session& session, RunList& list, UserFiles& files, Prompts&
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 4, 4, 4);
     column->setSpacing(4);
-    table_ = new FiguresTable(model_, this);
-    table_->setObjectName("runs_table");
+    table_ = named(new FiguresTable(model_, this), "runs_table");
     table_->setAccessibleName(tr("Runs"));
     table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     buttons_ = new QWidget(this);
@@ -125,8 +125,7 @@ RunsPanel::RunsPanel(Session& session, RunList& list, UserFiles& files, Prompts&
 
 QPushButton* RunsPanel::add_button(const QString& text, const char* name,
                                    void (RunsPanel::*act)()) {
-    auto* button = new QPushButton(text, buttons_);
-    button->setObjectName(name);
+    auto* button = named(new QPushButton(text, buttons_), name);
     connect(button, &QPushButton::clicked, this, act);
     return button;
 }

@@ -9,6 +9,8 @@
 #include <QPushButton>
 #include <cmath>
 
+#include "look/named.hpp"
+
 namespace hitos::window {
 namespace {
 
@@ -25,8 +27,7 @@ bool of_doors(DisturbanceKind kind) {
 DisturbBar::DisturbBar(QWidget* parent) : QWidget(parent) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
-    kinds_ = new QComboBox(this);
-    kinds_->setObjectName("disturbance");
+    kinds_ = named(new QComboBox(this), "disturbance");
     kinds_->setAccessibleName(tr("What happens"));
     row->addWidget(kinds_);
     for (std::size_t i = 0; i < values_.size(); ++i) {
@@ -37,8 +38,7 @@ DisturbBar::DisturbBar(QWidget* parent) : QWidget(parent) {
         row->addWidget(names_[i]);
         row->addWidget(values_[i]);
     }
-    auto* now = new QPushButton(tr("Now"), this);
-    now->setObjectName("button_disturb");
+    auto* now = named(new QPushButton(tr("Now"), this), "button_disturb");
     now->setAutoDefault(false);
     now->setToolTip(tr("Let it happen to the robot now"));
     row->addWidget(now);

@@ -9,6 +9,7 @@
 #include <array>
 
 #include "draw_tool.hpp"
+#include "look/named.hpp"
 #include "look/parameter_text.hpp"
 #include "look/steady_label.hpp"
 #include "numbers_strip.hpp"
@@ -76,8 +77,7 @@ DrawBar::DrawBar(WorldDraft& draft, DrawTool& tool, WorldView& view, QWidget* pa
     column->addLayout(words);
     numbers_ = new NumbersStrip(this);
     words->addWidget(numbers_);
-    hint_ = new QLabel(this);
-    hint_->setObjectName("draw_hint");
+    hint_ = named(new QLabel(this), "draw_hint");
     hint_->setProperty("role", "muted");
     words->addWidget(keep_lines(*hint_, 2), 1);
     connect_numbers();
@@ -93,8 +93,7 @@ void DrawBar::make_modes() {
     auto* group = new QButtonGroup(this);
     int number = 0;
     for (const ModeInfo& info : kModes) {
-        auto* button = new QToolButton(this);
-        button->setObjectName(QString("draw_") + info.name);
+        auto* button = named(new QToolButton(this), QString("draw_") + info.name);
         button->setText(translated("DrawBar", info.label));
         button->setProperty("role", "view");
         button->setCheckable(true);
@@ -113,8 +112,7 @@ void DrawBar::make_modes() {
 
 void DrawBar::make_grid() {
     constexpr double kStep = 0.05;
-    grid_ = new QDoubleSpinBox(this);
-    grid_->setObjectName("draw_grid");
+    grid_ = named(new QDoubleSpinBox(this), "draw_grid");
     grid_->setRange(0.0, 10.0);
     grid_->setSingleStep(kStep);
     grid_->setSuffix(tr(" m"));

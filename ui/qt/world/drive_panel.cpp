@@ -16,6 +16,7 @@
 #include "disturb_bar.hpp"
 #include "hitos/capture/log_format.hpp"
 #include "hitos/services/evaluation/nees.hpp"
+#include "look/named.hpp"
 #include "look/steady_label.hpp"
 #include "look/words_of.hpp"
 #include "world_view.hpp"
@@ -42,8 +43,7 @@ DrivePanel::DrivePanel(Session& session, UserFiles& files, Prompts& prompts, Wor
     make_tools();
     disturb_ = new DisturbBar(this);
     column->addWidget(disturb_);
-    figures_ = new QLabel(this);
-    figures_->setObjectName("drive_figures");
+    figures_ = named(new QLabel(this), "drive_figures");
     column->addWidget(keep_lines(*figures_, 2));
     connect_drive();
     show_state();
@@ -57,33 +57,28 @@ DrivePanel::~DrivePanel() {
 void DrivePanel::make_tools() {
     auto* row = new QHBoxLayout;
     row->setContentsMargins(0, 0, 0, 0);
-    rest_ = new QToolButton(this);
-    rest_->setObjectName("drive_rest");
+    rest_ = named(new QToolButton(this), "drive_rest");
     rest_->setText(tr("Hold the clock"));
     rest_->setToolTip(tr("The world stands still until you let the clock go on"));
     rest_->setCheckable(true);
     row->addWidget(rest_);
-    pace_ = new QComboBox(this);
-    pace_->setObjectName("drive_pace");
+    pace_ = named(new QComboBox(this), "drive_pace");
     pace_->setAccessibleName(tr("Pace"));
     for (const int times : kPaces) {
         pace_->addItem(times == 1 ? tr("real pace") : tr("%1 times as fast").arg(times), times);
     }
     row->addWidget(pace_);
-    pad_ = new QLabel(this);
-    pad_->setObjectName("drive_gamepad");
+    pad_ = named(new QLabel(this), "drive_gamepad");
     pad_->hide();
     row->addWidget(pad_);
     row->addStretch(1);
-    log_ = new QPushButton(tr("Save a log…"), this);
-    log_->setObjectName("drive_log");
+    log_ = named(new QPushButton(tr("Save a log…"), this), "drive_log");
     log_->setAutoDefault(false);
     log_->setToolTip(
         tr("Writes what has been driven so far as a log, and the true path beside it; the tour "
            "goes on"));
     row->addWidget(log_);
-    keep_ = new QPushButton(tr("End and keep the tour…"), this);
-    keep_->setObjectName("drive_keep");
+    keep_ = named(new QPushButton(tr("End and keep the tour…"), this), "drive_keep");
     keep_->setAutoDefault(false);
     keep_->setToolTip(
         tr("Writes a world file that repeats the tour to the last bit, and maps it to its end"));

@@ -14,6 +14,7 @@
 #include <QThreadPool>
 
 #include "hitos/simulation/drawings/dxf_walls.hpp"
+#include "look/named.hpp"
 #include "look/theme.hpp"
 #include "look/words_of.hpp"
 #include "session/background.hpp"
@@ -23,8 +24,7 @@ namespace {
 
 QDoubleSpinBox* length_field(QWidget* parent, const char* name, double greatest) {
     constexpr int kDecimals = 4;
-    auto* field = new QDoubleSpinBox(parent);
-    field->setObjectName(name);
+    auto* field = named(new QDoubleSpinBox(parent), name);
     field->setDecimals(kDecimals);
     field->setRange(0.0, greatest);
     field->setSingleStep(0.01);
@@ -61,8 +61,7 @@ ImportDialog::ImportDialog(const QString& source, WallSource kind, QWidget* pare
     } else {
         ask_for_tolerance(*form);
     }
-    verdict_ = new QLabel(this);
-    verdict_->setObjectName("import_verdict");
+    verdict_ = named(new QLabel(this), "import_verdict");
     verdict_->setWordWrap(true);
     form->addRow(verdict_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
@@ -84,14 +83,12 @@ void ImportDialog::ask_for_tolerance(QFormLayout& form) {
 }
 
 void ImportDialog::ask_for_layer_and_unit(QFormLayout& form) {
-    unit_ = new QComboBox(this);
-    unit_->setObjectName("import_unit");
+    unit_ = named(new QComboBox(this), "import_unit");
     unit_->addItem(tr("as the drawing says, else metres"), 0.0);
     for (const DrawingUnit& unit : kDrawingUnits)
         unit_->addItem(QCoreApplication::translate("DrawingUnit", unit.name), unit.metres);
     form.addRow(tr("Unit"), unit_);
-    layer_ = new QLineEdit(this);
-    layer_->setObjectName("import_layer");
+    layer_ = named(new QLineEdit(this), "import_layer");
     layer_->setPlaceholderText(tr("all that are shown"));
     layer_->setToolTip(tr("The layers whose entities are walls, apart by commas"));
     form.addRow(tr("Layers"), layer_);

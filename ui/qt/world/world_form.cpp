@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "hitos/simulation/worlds/world_key.hpp"
+#include "look/named.hpp"
 #include "look/parameter_text.hpp"
 #include "look/screen_fit.hpp"
 #include "look/words_of.hpp"
@@ -62,8 +63,7 @@ WorldForm::WorldForm(WorldText text, QWidget* parent) : QDialog(parent), text_(s
     scroll->setWidget(groups);
     scroll_down_only(*scroll);
     all->addWidget(scroll, 1);
-    verdict_ = new QLabel(this);
-    verdict_->setObjectName("world_form_verdict");
+    verdict_ = named(new QLabel(this), "world_form_verdict");
     verdict_->setProperty("role", "error");
     verdict_->setWordWrap(true);
     verdict_->hide();

@@ -17,6 +17,7 @@
 #include "drive_panel.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/workbench/presets.hpp"
+#include "look/named.hpp"
 #include "look/screen_fit.hpp"
 #include "look/steady_label.hpp"
 #include "look/undo_keys.hpp"
@@ -45,8 +46,7 @@ WorldWindow::WorldWindow(Session& session, UserFiles& files, Prompts& prompts,
     setObjectName("world_window");
     auto* column = new QVBoxLayout(this);
     column->addWidget(make_tools());
-    view_ = new WorldView(this);
-    view_->setObjectName("world_view");
+    view_ = named(new WorldView(this), "world_view");
     view_->set_tool(tool_);
     connect(view_, &CanvasView::picture_wanted, this, [this, &files] {
         const QString path = export_figure(files, prompts_, this, view_->exportable());
@@ -58,8 +58,7 @@ WorldWindow::WorldWindow(Session& session, UserFiles& files, Prompts& prompts,
     auto* words = new QHBoxLayout;
     check_ = new CheckLine(this);
     words->addWidget(keep_lines(*check_, kLines), 2);
-    said_ = new QLabel(this);
-    said_->setObjectName("world_notice");
+    said_ = named(new QLabel(this), "world_notice");
     said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     words->addWidget(keep_lines(*said_, kLines), 1);
     panel_ = new DrivePanel(session, files, prompts, *view_, this);
@@ -101,16 +100,14 @@ QWidget* WorldWindow::make_tools() {
     auto* row = new QHBoxLayout(tools);
     row->setContentsMargins(0, 0, 0, 0);
     const auto add_button = [&](const QString& text, const char* name) {
-        auto* button = new QToolButton(tools);
-        button->setObjectName(name);
+        auto* button = named(new QToolButton(tools), name);
         button->setText(text);
         row->addWidget(button);
         return button;
     };
     QToolButton* worlds = add_button(tr("World"), "world_menu_button");
     worlds->setPopupMode(QToolButton::InstantPopup);
-    menu_ = new QMenu(worlds);
-    menu_->setObjectName("world_menu");
+    menu_ = named(new QMenu(worlds), "world_menu");
     files_of_worlds_.fill(*menu_);
     menu_->addSeparator();
     QAction* values = menu_->addAction(tr("&Robot, laser, odometry…"), this, [this] {
@@ -126,13 +123,11 @@ QWidget* WorldWindow::make_tools() {
     add_button({}, "world_undo_button")->setDefaultAction(undo_);
     add_button({}, "world_redo_button")->setDefaultAction(redo_);
     row->addStretch(1);
-    run_ = new QPushButton(tr("Run its tour"), tools);
-    run_->setObjectName("world_run");
+    run_ = named(new QPushButton(tr("Run its tour"), tools), "world_run");
     run_->setToolTip(
         tr("Maps the tour along the way points, or the one that was driven, in the main window"));
     row->addWidget(run_);
-    drive_ = new QPushButton(tools);
-    drive_->setObjectName("world_drive");
+    drive_ = named(new QPushButton(tools), "world_drive");
     row->addWidget(drive_);
     // Return belongs to the drawing.
     for (QPushButton* button : {run_, drive_}) button->setAutoDefault(false);
