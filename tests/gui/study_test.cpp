@@ -443,6 +443,11 @@ void StudyTest::another_studys_folder_is_asked_about() {
     QVERIFY(!f.study.running());
     QCOMPARE(Fixture::read(f.path("study/quality.csv")), QByteArray("precious"));
     f.prompts.confirms = {true};
+    f.run_study();  // without a plan it is of no study, but somebody's own
+    QVERIFY2(f.error_at("folder").contains("quality.csv"), qPrintable(f.error_at("folder")));
+    QCOMPARE(Fixture::read(f.path("study/quality.csv")), QByteArray("precious"));
+    f.write("study/study.json", "{}");
+    f.prompts.confirms = {true};
     f.run_study();
     QVERIFY(f.prompts.confirmed_texts.back().contains("study"));
     QVERIFY(Fixture::read(f.path("study/quality.csv")) != QByteArray("precious"));
