@@ -209,7 +209,7 @@
     </message>
     <message>
         <source>The headings of the reference trajectory are off by %1, as those of another part of the robot: turn them back by that. Errors of headings, relative errors and which loops are false are left out; the ATE is of positions alone, and stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los rumbos de la trayectoria de referencia difieren en %1, como los de otra parte del robot: gírelos de vuelta en eso. Los errores de rumbo, los relativos y qué bucles son falsos se dejan fuera; el ATE es solo de posiciones, y vale.</translation>
     </message>
 </context>
 <context>
