@@ -19,8 +19,8 @@ std::filesystem::path shipped_file(const std::filesystem::path& relative);
 std::filesystem::path needed_file(const std::filesystem::path& relative);
 
 /// The path itself where it exists or is more than a bare name; else the world of that name among
-/// those that come with Hitos, which no folder hides but one with a recording. Throws FileError that
-/// lists their names where there is none.
+/// those that come with Hitos, which no folder hides but one with a recording. Throws FileError
+/// that lists their names where there is none.
 std::filesystem::path find_world(const std::string& name);
 
 /// The worlds that come with Hitos, by name.
