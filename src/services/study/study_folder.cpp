@@ -270,14 +270,14 @@ void check_others(const StudyLayout& target, const StudyPlan& plan, const Folder
 void check_nobodys(const StudyLayout& target) {
     for (const StudyLayout& layout : {target, next_study(target)})
         if (is_there(plan_file(layout))) return;
-    for (const fs::directory_entry& entry : folder_entries(target.folder)) {
-        const std::string name = entry.path().filename().string();
-        if (!is_table(target, name)) continue;
+    for (const fs::path& file : {target.quality_file(), target.file("summary.csv"),
+                                 target.file("summary.md"), target.file("summary.tex")}) {
+        if (!is_there(file)) continue;
         throw FileError(target.folder.string(),
                         HITOS_TEXT("Errors",
                                    "holds %1, which is of no study and would be written over; move "
                                    "it away or choose another folder"),
-                        name);
+                        file.filename().string());
     }
 }
 
