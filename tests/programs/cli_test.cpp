@@ -288,7 +288,7 @@ TEST_F(BadInput, DamagedLinesAreSkippedAndCounted) {
 
 TEST_F(BadInput, WhoAsksWhetherALogIsWholeIsToldOfDamage) {
     const std::string whole =
-        test::shell("zcat " + kSource + "/data/logs/player-laser.log.gz").output;
+        run_command("zcat " + kSource + "/data/logs/player-laser.log.gz").output;
     const Outcome fine = cli("check " + folder_.put("whole.log", whole).string());
     EXPECT_EQ(fine.status, 0) << fine.output;
     EXPECT_NE(fine.output.find("\nnothing looks wrong in it\n"), std::string::npos) << fine.output;
