@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "hitos/base/translatable.hpp"
@@ -42,8 +43,8 @@ struct ShiftFit {
 /// Path and reference at a number of poses.
 class Shifted {
   public:
-    Shifted(const Trajectory& path, const Trajectory& reference, double tolerance_s)
-        : reference_(reference), tolerance_s_(tolerance_s) {
+    Shifted(const Trajectory& path, Trajectory reference, double tolerance_s)
+        : reference_(std::move(reference)), tolerance_s_(tolerance_s) {
         std::erase_if(reference_,
                       [](const StampedPose& pose) { return !std::isfinite(pose.time_s); });
         std::ranges::stable_sort(reference_, {}, &StampedPose::time_s);

@@ -107,6 +107,7 @@ constexpr std::array kOtherReadings{
 
 std::vector<Reading> readings() {
     std::vector<Reading> all;
+    all.reserve(kReferenceUnits.size() + kOtherReadings.size());
     for (const ReferenceUnit& unit : kReferenceUnits)
         all.push_back({unit.of_map, &line_as_it_is, &as_it_is, unit.per_metre});
     all.insert(all.end(), kOtherReadings.begin(), kOtherReadings.end());
