@@ -10,6 +10,7 @@
 
 #include "dialogs/configuration_dialog.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
+#include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/results/kept_run.hpp"
 #include "hitos/workbench/presets.hpp"
 #include "hitos/workbench/source_inspection.hpp"
