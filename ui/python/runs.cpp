@@ -3,6 +3,8 @@
 
 #include "runs.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <future>
 #include <utility>
