@@ -203,16 +203,14 @@ void TourExamination::note(const Scan& scan) {
 }
 
 void TourExamination::note_leap(const Scan& scan) {
-    constexpr double kLeast = kLeastLeap;
-    constexpr std::size_t kMost = kMostLeaps;
     if (scans_ > 0 && scan.line <= last_scan_line_) return;  // read again
     const double by_s = scan.time_s - last_stamp_s_;
     const StampLeap newest{last_stamp_s_, by_s, elapsed_s_};
     if (scans_ > 0) elapsed_s_ += ScanClock::step_s(last_stamp_s_, scan.time_s);
     last_stamp_s_ = scan.time_s;
-    if (scans_ == 0 || (by_s > 0.0 && by_s < kLeast)) return;
+    if (scans_ == 0 || (by_s > 0.0 && by_s < kLeastLeap)) return;
     stamp_leaps_.push_back(newest);
-    if (stamp_leaps_.size() <= kMost) return;
+    if (stamp_leaps_.size() <= kMostLeaps) return;
     stamp_leaps_.erase(std::ranges::min_element(
         stamp_leaps_, {}, [](const StampLeap& leap) { return std::abs(leap.by_s); }));
 }
