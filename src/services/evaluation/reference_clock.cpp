@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kMostShift = 60.0;  // [s] or half of the path's time; further off nothing fits
 constexpr double kCoarse = 0.5;      // [s] in which a robot indoors turns little
-constexpr double kFine = 0.005;
+constexpr int kHalvings = 6;         // of it, down to 8 ms
 constexpr double kLeastShift = 0.2;  // [s] less is what one calls the stamp of a scan
 constexpr std::size_t kSamples = 200;
 constexpr double kLeastError =
@@ -72,7 +72,9 @@ class Shifted {
 
     /// From one that is better than what lies half a step of the coarse search beside it.
     ShiftFit best_near(ShiftFit best, std::size_t least_common) const {
-        for (double step = kCoarse / 2.0; step > kFine; step /= 2.0) {
+        double step = kCoarse;
+        for (int halving = 0; halving < kHalvings; ++halving) {
+            step /= 2.0;
             for (const double shift_s : {best.shift_s - step, best.shift_s + step}) {
                 const ShiftFit other = by(shift_s);
                 if (other.common >= least_common && other.error_m < best.error_m) best = other;
