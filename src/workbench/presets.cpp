@@ -28,6 +28,8 @@ std::string_view preset_of_world(const std::string& path) {
         const World world = read_world(path);
         if (world.landmarks.told()) return kLandmarkPreset;
         if (world.landmarks.round()) return kTreePreset;
+        // Things that are no walls, and people: what stands about makes landmarks of its own.
+        if (!world.walkers.empty()) return kRobotPreset;
     } catch (const Error&) {  // whoever opens it is told
     }
     return kWorldPreset;
@@ -50,8 +52,8 @@ std::span<const Preset> presets() {
     static const std::array table{
         Preset{"simulated", HITOS_TEXT("Preset", "Simulated tours"),
                HITOS_TEXT("Preset",
-                          "FastSLAM for worlds and their laser of 10 mm: lines fitted to all "
-                          "points, noise that grows with the motion."),
+                          "FastSLAM for worlds of walls and their laser of 10 mm: lines fitted to "
+                          "all points, noise that grows with the motion."),
                PresetPurpose::worlds},
         Preset{"thesis", HITOS_TEXT("Preset", "As the thesis"),
                HITOS_TEXT("Preset",

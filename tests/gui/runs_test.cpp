@@ -315,7 +315,7 @@ void RunsTest::the_errors_of_more_than_two_lie_over_each_other() {
     for (std::size_t place = 0; place < 3; ++place) {
         const std::vector<QPointF> curve = strip->curve(place);
         const auto wanted =
-            path_figures(runs[place].run->path, *f.session.references().trajectory, true);
+            path_figures(runs[place].run->path, {}, *f.session.references().trajectory, true);
         QCOMPARE(curve.size(), wanted.errors.size());
         QCOMPARE(curve.back().y(), wanted.errors.back().error_m);
         const auto* words = strip->findChild<QLabel*>(QString("figures_%1").arg(place));
@@ -326,7 +326,7 @@ void RunsTest::the_errors_of_more_than_two_lie_over_each_other() {
     for (const bool aligned : {true, false}) {
         const Trajectory& path = runs[0].run->path;
         const Trajectory& reference = *f.session.references().trajectory;
-        const auto laid = path_figures(path, reference, aligned);
+        const auto laid = path_figures(path, {}, reference, aligned);
         QCOMPARE(laid.reference.size(), reference.size());
         for (const PathError& error : laid.errors) {
             const Pose& pose = path[error.pose].pose;

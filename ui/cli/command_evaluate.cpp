@@ -13,6 +13,7 @@
 #include "hitos/base/atomic_file.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/base/input_files.hpp"
+#include "hitos/base/plural.hpp"
 #include "hitos/base/process.hpp"
 #include "hitos/services/evaluation/distances.hpp"
 #include "hitos/services/evaluation/measures.hpp"
@@ -21,6 +22,7 @@
 #include "hitos/services/evaluation/relations.hpp"
 #include "hitos/services/evaluation/relative_error.hpp"
 #include "hitos/services/evaluation/run_loops.hpp"
+#include "hitos/services/evaluation/tour_frames.hpp"
 #include "hitos/services/results/kept_run.hpp"
 #include "hitos/services/results/results.hpp"
 #include "hitos/slam/filters.hpp"
@@ -91,8 +93,29 @@ void evaluate_distances(const EvaluateOptions& options, Report& report) {
     report.object()["distances"] = parsed_object(to_json(measured));
 }
 
+std::string path_of(const std::filesystem::path& run) {
+    return (run / "trajectory.tum").string();
+}
+
+/// Of a run's own trajectory what lies in one frame.
+Trajectory read_estimate(const EvaluateOptions& options) {
+    Trajectory path = read_trajectory(options.trajectory);
+    if (options.run.empty() || options.trajectory != path_of(options.run)) return path;
+    return in_one_frame(path, read_results(options.run).later_tours);
+}
+
+void tell_left_out(const EvaluateOptions& options, std::size_t measured, Report& report) {
+    const std::size_t all = read_trajectory(options.trajectory).size();
+    if (measured < all) {
+        report.note(
+            fmt::format("{} of the path are left out: of a tour that was not found in the map, "
+                        "and lies beside it",
+                        plural(all - measured, "pose")));
+    }
+}
+
 void evaluate_trajectory(const EvaluateOptions& options, Report& report) {
-    const Trajectory estimate = read_trajectory(options.trajectory);
+    const Trajectory estimate = read_estimate(options);
     const Trajectory reference = read_trajectory(options.reference_trajectory);
     const ReferenceFit fit = fit_of_reference(estimate, reference, options.tolerance_s);
     const auto error = trajectory_error(estimate, reference, options.tolerance_s);
@@ -101,6 +124,7 @@ void evaluate_trajectory(const EvaluateOptions& options, Report& report) {
     report.figure("ate_maximum_m", error->maximum_m, 6);
     if (error->heading_rmse_rad) report.figure("heading_rmse_rad", *error->heading_rmse_rad, 6);
     report.count("poses", error->poses);
+    tell_left_out(options, estimate.size(), report);
     for (const Advice& doubt : fit.doubts()) report.warn(doubt.words());
 }
 
@@ -140,7 +164,7 @@ void evaluate_relative(const EvaluateOptions& options, PairSpacing::By by, doubl
     PairSpacing spacing = options.rpe;
     spacing.by = by;
     spacing.length = length;
-    const Trajectory estimate = read_trajectory(options.trajectory);
+    const Trajectory estimate = read_estimate(options);
     const Trajectory reference = read_trajectory(options.reference_trajectory);
     const auto error = relative_error(estimate, reference, spacing, options.tolerance_s);
     const auto whole = trajectory_error(estimate, reference, options.tolerance_s);
@@ -161,9 +185,8 @@ void evaluate_relative(const EvaluateOptions& options, PairSpacing::By by, doubl
 }
 
 void evaluate_relations(const EvaluateOptions& options, Report& report) {
-    const std::vector<MeasuredRelation> measured =
-        measure_relations(read_trajectory(options.trajectory), read_relations(options.relations),
-                          options.tolerance_s);
+    const std::vector<MeasuredRelation> measured = measure_relations(
+        read_estimate(options), read_relations(options.relations), options.tolerance_s);
     const RelationErrors errors = relation_errors(measured);
     if (!options.out.empty()) {
         write_file(out_file(options, "relations.csv"), relations_csv(measured));
@@ -199,7 +222,8 @@ void evaluate_loops(const EvaluateOptions& options, Report& report) {
     KeptRun run = read_results(options.run);
     if (!needs_registration(run.configuration.filter)) return;
     const Trajectory reference = read_trajectory(options.reference_trajectory);
-    if (fit_of_path(run.path, reference, options.tolerance_s).judges_loops())
+    if (fit_of_path(in_one_frame(run.path, run.later_tours), reference, options.tolerance_s)
+            .judges_loops())
         judge_loops(run.loops, reference, options.tolerance_s);
     const LoopPrecision precision = precision_of(run.loops);
     report.count("loops_judged", precision.judged);
@@ -269,7 +293,7 @@ void evaluate(EvaluateOptions options) {
         const bool of_path = !options.reference_trajectory.empty() || !options.relations.empty();
         if (options.map.empty() && of_map) options.map = (run / "map.txt").string();
         if (options.trajectory.empty() && of_path) {
-            options.trajectory = (run / "trajectory.tum").string();
+            options.trajectory = path_of(options.run);
         }
     }
     check_choices(options);

@@ -225,7 +225,7 @@ void run(const RunOptions& options, std::optional<LiveRun>& live) {
     const std::string source = live ? live->file() : source_named(input_named(options.log, "log"));
     const std::string_view suited = suited_preset(options.configuration, source);
     Configuracion configuration = load(options.configuration, suited);
-    fmt::print(stderr, "{}", suited_words(suited));
+    fmt::print(stderr, "{}", suited_words(suited, source));
     configuration.source.file = source;
     options.source.choose(configuration.source);
     if (live) {

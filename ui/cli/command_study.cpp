@@ -60,7 +60,7 @@ int study(StudyArguments options) {
     const std::string source = source_named(options.log);
     const std::string_view suited = suited_preset(options.configuration, source);
     study.configuration = load(options.configuration, suited);
-    fmt::print(stderr, "{}", suited_words(suited));
+    fmt::print(stderr, "{}", suited_words(suited, source));
     study.configuration.source.file = source;
     options.source.choose(study.configuration.source);
     for (const std::string& assignment : options.vary)

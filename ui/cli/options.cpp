@@ -15,6 +15,7 @@
 #include "hitos/base/process.hpp"
 #include "hitos/capture/archivo.hpp"
 #include "hitos/capture/log_format.hpp"
+#include "hitos/capture/tour_reader.hpp"
 #include "hitos/capture/tour_summary.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
@@ -156,9 +157,10 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
         .add_option("--preset", options.preset,
                     "Configuration that comes with Hitos: " + preset_words() +
                         "; hitos-cli presets says what each is for. Or auto, which is the default: "
-                        "for a world simulated, for one of trees trees, for the recording of a "
-                        "robot recorded, where a sensor tells landmarks landmarks, for other logs "
-                        "the thesis's recommended values")
+                        "for a world simulated, for one of trees trees, for one with people or "
+                        "things that are no walls and for the recording of a robot recorded, where "
+                        "a sensor tells landmarks landmarks, for other logs the thesis's "
+                        "recommended values")
         ->excludes(file);
     command
         .add_option("--set", options.values.assignments,
@@ -247,10 +249,11 @@ std::string_view suited_preset(const ConfigurationOptions& options, const std::s
     return chosen ? std::string_view() : hitos::suited_preset(source);
 }
 
-std::string suited_words(std::string_view preset) {
+std::string suited_words(std::string_view preset, const std::string& source) {
     if (preset.empty()) return {};
     const char* why = preset == kWorldPreset      ? "a world"
                       : preset == kLandmarkPreset ? "its sensor tells landmarks"
+                      : is_world_file(source)     ? "a world with what is no wall"
                       : preset == kTreePreset     ? "a world of trees"
                                                   : "a robot recorded it";
     return fmt::format("parameters: preset {} ({}); --preset and --config take others\n", preset,

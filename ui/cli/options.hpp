@@ -67,7 +67,7 @@ int exit_status(const CLI::App& program, const CLI::ParseError& error);
 std::string_view suited_preset(const ConfigurationOptions& options, const std::string& source);
 
 /// "parameters: preset recorded (…); …\n", of a preset that the source decided; empty for none.
-std::string suited_words(std::string_view preset);
+std::string suited_words(std::string_view preset, const std::string& source);
 
 /// The values of the file or the preset, else of the one that the source decides, else the
 /// defaults; and the choices over them.

@@ -58,6 +58,12 @@ void tell_by_hand(const RegistrationFigures& figures, const Report& report) {
     if (!words.empty()) report.say("  by hand {}\n", fmt::join(words, ", "));
 }
 
+bool has_lost_tour(const RunSummary& summary) {
+    const auto& figures = summary.quality.registration;
+    return figures && std::ranges::any_of(figures->later_tours,
+                                          [](const SecondTour& tour) { return !tour.found; });
+}
+
 /// "910 scans"; of a tour that goes on with a map, how many of them are that map's.
 std::string scans_words(const RunSummary& summary) {
     std::string words = plural(summary.scans, "scan");
@@ -88,9 +94,16 @@ void tell_summary(const RunSummary& summary, const std::string& folder, const Re
             "trajectory error (ATE) {:.3f} m, while driving {:.3f} m, odometry alone {:.3f} m\n",
             summary.trajectory_error->rmse_m, summary.online_error->rmse_m,
             summary.odometry_error->rmse_m);
-        if (static_cast<std::uint64_t>(summary.trajectory_error->poses) < summary.scans) {
-            report.say("  over {} of {}: the reference has no pose at the times of the others\n",
-                       summary.trajectory_error->poses, plural(summary.scans, "scan"));
+        const int poses = summary.trajectory_error->poses;
+        if (static_cast<std::uint64_t>(poses) < summary.scans) {
+            report.say("  over {} of {}: {}\n", poses, plural(summary.scans, "scan"),
+                       has_lost_tour(summary)
+                           ? "a tour that was not found lies beside the map, not in its frame"
+                           : "the reference has no pose at the times of the others");
+        }
+        if (summary.online_error && summary.online_error->poses < poses) {
+            report.say("  while driving over {}: not before the tour was found in the map\n",
+                       summary.online_error->poses);
         }
     }
     if (!summary.distances.empty()) report.say("{}", distance_table(summary.distances));

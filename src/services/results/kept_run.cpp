@@ -48,6 +48,18 @@ void expect_unchanged(const nlohmann::json& summary, const std::filesystem::path
     }
 }
 
+std::vector<SecondTour> later_tours_in(const nlohmann::json& quality, const std::string& file) {
+    std::vector<SecondTour> tours;
+    if (!quality.contains("later_tours")) return tours;
+    for (const nlohmann::json& told : quality.at("later_tours")) {
+        SecondTour& tour = tours.emplace_back();
+        tour.begin = whole_number<std::uint64_t>(told, "begin", file, 1) - 1;
+        if (told.contains("found"))
+            tour.found = whole_number<std::uint64_t>(told, "found", file, 1) - 1;
+    }
+    return tours;
+}
+
 /// What the summary tells of the run. Returns whether its map has landmarks.
 bool read_summary(const std::filesystem::path& folder, KeptRun& run) {
     const std::string file = (folder / kSummaryFile).string();
@@ -65,6 +77,7 @@ bool read_summary(const std::filesystem::path& folder, KeptRun& run) {
         run.path = read_trajectory(folder / "trajectory.tum");
         if (summary.contains("quality")) {
             run.loops = read_loops(summary.at("quality"), run.path, file);
+            run.later_tours = later_tours_in(summary.at("quality"), file);
         }
         return landmarks;
     });

@@ -18,6 +18,7 @@
 #include "hitos/base/thread_clock.hpp"
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/evaluation/reference_fit.hpp"
+#include "hitos/services/evaluation/tour_frames.hpp"
 #include "hitos/slam/filters.hpp"
 #include "json_input.hpp"
 #include "loop_json.hpp"
@@ -144,19 +145,23 @@ void state(const RunFigures& figures, ordered_json& json) {
     }
 }
 
-/// Until a later tour is found nobody knows where the robot is in the frame of the first.
-Trajectory known_while_driving(const Algoritmo& run) {
-    const Trajectory& path = run.online_trajectory();
-    if (run.registration() == nullptr) return path;
-    const RegistrationFigures figures = run.registration()->figures();
-    Trajectory known;
-    for (std::uint64_t scan = 0; scan < path.size(); ++scan) {
-        const SecondTour* tour = nullptr;  // that it is of
-        for (const SecondTour& one : figures.later_tours)
-            if (one.begin <= scan) tour = &one;
-        if (tour == nullptr || (tour->found && *tour->found <= scan)) known.push_back(path[scan]);
-    }
-    return known;
+/// Of a path that is worse than what it was made of; there is a reference that tells of both.
+void warn_of_odometry(const Algoritmo& run, RunSummary& summary) {
+    constexpr double kHardly = 0.01;  // [m]
+    constexpr double kAsMuch = 1.05;
+    const double path_m = summary.trajectory_error->rmse_m;
+    const double odometry_m = summary.odometry_error->rmse_m;
+    if (path_m <= std::max(odometry_m * kAsMuch, odometry_m + kHardly)) return;
+    const bool registered = run.registration() != nullptr;
+    summary.quality.warnings.push_back(
+        {registered ? HITOS_TEXT("Advice",
+                                 "Odometry alone is nearer to the reference than the path (%1): "
+                                 "look where the path breaks, and at its loops.")
+                    : HITOS_TEXT("Advice",
+                                 "Odometry alone is nearer to the reference than the path (%1): "
+                                 "these parameters do not suit this tour."),
+         fmt::format("{:.3f} < {:.3f} m", odometry_m, path_m),
+         registered ? std::string_view() : std::string_view("recorded")});
 }
 
 /// Of a path of the run; there is a reference.
@@ -198,16 +203,19 @@ std::string version() {
     return kVersion;
 }
 
-RunErrors errors_of(const Algoritmo& run, const LandmarkMap& map, const Trajectory& path,
+RunErrors errors_of(const Algoritmo& run, const LandmarkMap& map, const Trajectory& whole,
                     const References& references) {
     RunErrors errors;
+    const std::vector<SecondTour> later_tours = run.later_tours();
+    const Trajectory path = in_one_frame(whole, later_tours);
     if (references.map) {
         errors.map_error = map_error(map, *references.map);
         errors.aligned_map_error = aligned_map_error(map, *references.map);
     }
     if (references.trajectory) {
         errors.trajectory_error = error_of(path, references);
-        errors.odometry_error = error_of(run.odometry_trajectory(), references);
+        errors.odometry_error = tour_by_tour_error(run.odometry_trajectory(), later_tours,
+                                                   *references.trajectory, references.tolerance_s);
         const auto relative = [&](double length_m) {
             return relative_error(path, *references.trajectory, {.length = length_m},
                                   references.tolerance_s);
@@ -247,7 +255,8 @@ RunSummary summary_of(const Algoritmo& run, const LandmarkMap& map, const Trajec
     static_cast<RunErrors&>(summary) = errors_of(run, map, path, references);
     ReferenceFit fit;
     if (references.trajectory) {
-        fit = fit_of_path(path, *references.trajectory, references.tolerance_s);
+        fit = fit_of_path(in_one_frame(path, run.later_tours()), *references.trajectory,
+                          references.tolerance_s);
         if (fit.judges_loops())
             judge_loops(summary.quality.loops, *references.trajectory, references.tolerance_s);
     }
@@ -255,7 +264,8 @@ RunSummary summary_of(const Algoritmo& run, const LandmarkMap& map, const Trajec
                                   summary.quality.registration ? &summary.quality.loops : nullptr});
     summary.distances = measure_distances(map, references.distances);
     if (references.trajectory) {
-        summary.online_error = error_of(known_while_driving(run), references);
+        summary.online_error =
+            error_of(known_while_driving(run.online_trajectory(), run.later_tours()), references);
         const double delay_s = run.scan().delay_s;
         if (delay_s != 0.0 && !run.reader().truth()) {
             summary.advice.push_back(
@@ -266,7 +276,14 @@ RunSummary summary_of(const Algoritmo& run, const LandmarkMap& map, const Trajec
                  fmt::format("{:g} s", delay_s),
                  {}});
         }
-        if (!summary.trajectory_error) {
+        if (!summary.trajectory_error && error_of(path, references)) {
+            summary.quality.warnings.push_back(
+                {HITOS_TEXT("Advice",
+                            "The reference trajectory tells only of a tour that was not found in "
+                            "the map, so no error is told."),
+                 {},
+                 {}});
+        } else if (!summary.trajectory_error) {
             summary.quality.warnings.push_back(
                 {HITOS_TEXT("Advice",
                             "No pose of the reference trajectory is within %1 of a scan, so no "
@@ -276,6 +293,7 @@ RunSummary summary_of(const Algoritmo& run, const LandmarkMap& map, const Trajec
                  {}});
         } else {
             summary.reference_doubts = fit.doubts();
+            if (summary.reference_doubts.empty()) warn_of_odometry(run, summary);
         }
     }
     if (references.map) {

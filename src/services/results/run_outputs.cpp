@@ -190,15 +190,9 @@ const Trajectory& odometry_path(const FinishedRun& finished) {
     return finished.run.odometry_trajectory();
 }
 
-/// The tours behind the first; none where nothing is registered.
-std::vector<SecondTour> later_tours(const FinishedRun& finished) {
-    const Registration* const registration = finished.run.registration();
-    return registration == nullptr ? std::vector<SecondTour>() : registration->later_tours();
-}
-
 /// A map that is held is that of its own tour alone.
 std::optional<std::uint64_t> held_scans(const FinishedRun& finished) {
-    const std::vector<SecondTour> tours = later_tours(finished);
+    const std::vector<SecondTour> tours = finished.run.later_tours();
     if (tours.empty() || !finished.run.configuration().source.hold) return std::nullopt;
     return tours.back().begin;
 }
@@ -344,7 +338,7 @@ std::vector<RunOutput> make_outputs() {
             one_text("loops.csv", [](const Run& r) { return loops_csv(r.summary.quality.loops); })),
         where(
             [](const Run& r) {
-                const std::vector<SecondTour> tours = later_tours(r);
+                const std::vector<SecondTour> tours = r.run.later_tours();
                 return !tours.empty() && tours.back().found.has_value();
             },
             output({"changes.csv", "changes.png"}, write_changes)),

@@ -25,6 +25,10 @@ Trajectory RunState::best_trajectory() const {
     return stamped(filter->best_history());
 }
 
+std::vector<SecondTour> RunState::later_tours() const {
+    return registration ? registration->later_tours() : std::vector<SecondTour>();
+}
+
 std::size_t RunState::bytes() const {
     return filter->bytes() + (registration ? registration->bytes() : 0) + line_extents.bytes() +
            online.size() * 2 * sizeof(StampedPose) +

@@ -36,10 +36,10 @@ Snapshot snapshot_of(const Algoritmo& run, const SnapshotParts& parts) {
     if (parts.ancestry) snapshot.ancestry = run.filter().ancestry();
     snapshot.best_trajectory = run.best_trajectory();
     snapshot.online_trajectory = run.online_trajectory();
+    snapshot.later_tours = run.later_tours();
     if (const Registration* registration = run.registration()) {
         const auto keys = registration->keys();
         snapshot.keys.assign(keys.begin(), keys.end());
-        snapshot.later_tours = registration->later_tours();
         snapshot.loops = run_loops(registration->loops(), registration->refused_loops(),
                                    snapshot.best_trajectory);
         if (parts.key_scans) {

@@ -115,8 +115,10 @@ class Driver {
                            of(a.y), of(b.x), of(b.y));
         }
         if (number < 0) {
-            return message(HITOS_TEXT("Errors", "closed door %1, (%2, %3) to (%4, %5)"), -number,
-                           of(a.x), of(a.y), of(b.x), of(b.y));
+            return message(HITOS_TEXT("Errors",
+                                      "closed door %1, (%2, %3) to (%4, %5), which an event { at = "
+                                      "0, open = %1 } would open"),
+                           -number, of(a.x), of(a.y), of(b.x), of(b.y));
         }
         return message(HITOS_TEXT("Errors", "a side of a box, (%1, %2) to (%3, %4)"), of(a.x),
                        of(a.y), of(b.x), of(b.y));

@@ -154,10 +154,16 @@ void remove_door(WorldText& text, std::size_t index) {
     std::erase_if(events, [&](const Disturbance& event) {
         return of_doors(event) && event.values[0] == number;
     });
-    for (Disturbance& event : events) {
-        if (of_doors(event) && event.values[0] > number) event.values[0] -= 1.0;
-    }
     text.set_events(events);
+    // Door by door: of several changes at once nobody could tell which event became which, and
+    // comments would go to others.
+    for (std::size_t later = index + 1; later < text.world().doors.size(); ++later) {
+        for (Disturbance& event : events) {
+            if (of_doors(event) && event.values[0] == static_cast<double>(later + 1))
+                event.values[0] -= 1.0;
+        }
+        text.set_events(events);
+    }
     Walls doors = doors_of(text.world());
     doors.erase(doors.begin() + static_cast<std::ptrdiff_t>(index));
     text.set_doors(doors);
@@ -274,7 +280,16 @@ void add_wall(WorldText& text, const Polyline& wall) {
 }
 
 void add_door(WorldText& text, const Point2& a, const Point2& b) {
-    together(text, [&](WorldText& next) { put_door(next, next.world().doors.size(), a, b); });
+    together(text, [&](WorldText& next) {
+        const std::size_t index = next.world().doors.size();
+        put_door(next, index, a, b);
+        std::vector<Disturbance> events = next.world().tour.events;
+        Disturbance opened;
+        opened.kind = DisturbanceKind::open;
+        opened.values[0] = static_cast<double>(index + 1);
+        events.push_back(opened);
+        next.set_events(events);
+    });
 }
 
 void add_box(WorldText& text, const Point2& middle, double side_m) {

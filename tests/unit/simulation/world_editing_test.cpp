@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hitos/base/error.hpp"
+#include "hitos/simulation/drive/simulated_tour.hpp"
 #include "hitos/simulation/text/snapping.hpp"
 #include "worlds.hpp"
 
@@ -118,6 +119,33 @@ TEST(WorldEditing, EventsOfDoorsFollowTheirNumbers) {
     ASSERT_EQ(events.size(), 2U);
     EXPECT_EQ(events[0].values[0], 2.0);
     EXPECT_EQ(events[1].values[0], 1.0);
+}
+
+TEST(WorldEditing, CommentsStayWithTheEventsThatTheyAreOf) {
+    WorldText text(
+        "walls = [[[0, 0], [9, 0]]]\n"
+        "doors = [[[1, 1], [2, 1]], [[3, 1], [4, 1]], [[5, 1], [6, 1]]]\n"
+        "[tour]\nevents = [\n    { at = 0, open = 1 },  # first\n    { at = 0, open = 2 },  # "
+        "second\n"
+        "    { at = 0, open = 3 },  # third\n]\n",
+        "w.toml");
+    remove_item(text, {ItemKind::door, 0, 0, 1});
+    EXPECT_EQ(text.text().find("# first"), std::string::npos) << text.text();
+    EXPECT_NE(text.text().find("{ at = 0, open = 1 },  # second"), std::string::npos)
+        << text.text();
+    EXPECT_NE(text.text().find("{ at = 0, open = 2 },  # third"), std::string::npos) << text.text();
+}
+
+TEST(WorldEditing, ATourLeadsThroughADoorThatWasDrawn) {
+    WorldText text("walls = [[[4, -2], [4, 6]]]\n[tour]\nway_points = [[2, 0], [6, 0]]\n",
+                   "w.toml");
+    EXPECT_THROW(SimulatedTour(text.world()), FormatError);
+    add_door(text, {4, -1}, {4, 1});
+    ASSERT_EQ(text.world().tour.events.size(), 1U);
+    EXPECT_NO_THROW(SimulatedTour(text.world()));
+    remove_item(text, {ItemKind::door, 0, 0, 1});
+    EXPECT_TRUE(text.world().tour.events.empty());
+    EXPECT_THROW(SimulatedTour(text.world()), FormatError);
 }
 
 TEST(WorldEditing, MovesPointsPiecesAndWholes) {

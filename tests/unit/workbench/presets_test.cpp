@@ -50,6 +50,8 @@ TEST(Presets, TheSourceDecidesWhereNobodyChooses) {
     EXPECT_EQ(suited_preset("not/there.toml"), "simulated");
     EXPECT_EQ(suited_preset(find_world("posts").string()), "landmarks");
     EXPECT_EQ(suited_preset(find_world("orchard").string()), "trees");
+    for (const char* world : {"corridor-cluttered", "park", "campus"})  // with what is no wall
+        EXPECT_EQ(suited_preset(find_world(world).string()), "recorded") << world;
     for (const char* log :
          {"data/logs/radish.log.gz", "data/logs/carmen-flaser.log.gz",
           "data/logs/carmen-rawlaser.log.gz", "data/logs/carmen-robotlaser.log.gz",

@@ -12,6 +12,7 @@
 #include "dialogs/source_dialog.hpp"
 #include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
+#include "hitos/capture/tour_reader.hpp"
 #include "hitos/services/results/kept_run.hpp"
 #include "hitos/workbench/open_tour.hpp"
 #include "hitos/workbench/presets.hpp"
@@ -38,7 +39,8 @@ QString with_beginning(const QString& reason, const std::string& file) {
 }
 
 /// Which parameters were taken, and why.
-QString suited_words(std::string_view preset) {
+QString suited_words(const std::string& source) {
+    const std::string_view preset = suited_preset(source);
     if (preset.empty()) return ConfigurationActions::tr("Parameters: the defaults");
     const QString why =
         preset == kWorldPreset ? ConfigurationActions::tr("Parameters: %1, because this is a world")
@@ -46,6 +48,9 @@ QString suited_words(std::string_view preset) {
             ? ConfigurationActions::tr("Parameters: %1, because its sensor tells landmarks")
         : preset == kTreePreset
             ? ConfigurationActions::tr("Parameters: %1, because this is a world of trees")
+        : is_world_file(source)
+            ? ConfigurationActions::tr(
+                  "Parameters: %1, because there is more than walls in this world")
             : ConfigurationActions::tr("Parameters: %1, because a robot recorded this log");
     return why.arg(translated("Preset", find_preset(preset).label));
 }
@@ -115,7 +120,7 @@ void ConfigurationActions::start_or_warn(const CommandLine& line) {
     QString suited;
     if (complaints.empty()) {
         const std::string source = deciding_source(line, files_, Init::read);
-        if (!source.empty()) suited = suited_words(suited_preset(source));
+        if (!source.empty()) suited = suited_words(source);
     }
     if (complaints.empty() && !to_choose) {
         if (!suited.isEmpty()) emit notice(suited);
@@ -261,7 +266,7 @@ QString ConfigurationActions::suit(Configuracion& next, const std::string& file)
         suited.source = with_preset(next.source, suited.source);
         suited.registration.edits = next.registration.edits;
         next = suited;
-        return suited_words(suited_preset(file));
+        return suited_words(file);
     } catch (const Error&) {  // without the presets' files the parameters stay
         return {};
     }

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "anchor_dialog.hpp"
-#include "hitos/services/evaluation/measures.hpp"
+#include "hitos/services/evaluation/tour_frames.hpp"
 #include "look/edit_words.hpp"
 #include "look/flow_layout.hpp"
 #include "look/named.hpp"
@@ -156,8 +156,8 @@ void EditList::show_effect() {
     const References& references = session_.references();
     if (references.trajectory) {
         const auto error = [&](const Snapshot& snapshot) {
-            return trajectory_error(snapshot.best_trajectory, *references.trajectory,
-                                    references.tolerance_s);
+            return trajectory_error(in_one_frame(snapshot.best_trajectory, snapshot.later_tours),
+                                    *references.trajectory, references.tolerance_s);
         };
         const auto was = error(*before);
         const auto is = error(*after);

@@ -19,6 +19,7 @@
 
 #include "edit_list.hpp"
 #include "hitos/services/evaluation/reference_fit.hpp"
+#include "hitos/services/evaluation/tour_frames.hpp"
 #include "hitos/slam/filters.hpp"
 #include "look/flow_layout.hpp"
 #include "look/named.hpp"
@@ -370,7 +371,8 @@ void LoopTable::take_loops() {
     loops_ = snapshot ? snapshot->loops : std::vector<RunLoop>();
     const References& references = session_.references();
     if (references.trajectory && !loops_.empty() &&
-        fit_of_path(snapshot->best_trajectory, *references.trajectory, references.tolerance_s)
+        fit_of_path(in_one_frame(snapshot->best_trajectory, snapshot->later_tours),
+                    *references.trajectory, references.tolerance_s)
             .judges_loops()) {
         judge_loops(loops_, *references.trajectory, references.tolerance_s);
     }

@@ -329,7 +329,7 @@ PathFigures CompareWindow::figures_of(const Compared& of) const {
     const Trajectory* reference =
         figures_->isChecked() && of.run ? list_.reference_of(*of.run) : nullptr;
     if (reference == nullptr) return {};
-    return path_figures(of.path(), *reference, strip_->aligned());
+    return path_figures(of.path(), of.run->later_tours, *reference, strip_->aligned());
 }
 
 /// Runs of one log may begin in different frames. With the figures as the alignment is chosen

@@ -53,16 +53,20 @@ double PathFigures::greatest_m() const {
     return greatest;
 }
 
-PathFigures path_figures(const Trajectory& path, const Trajectory& reference, bool aligned) {
+PathFigures path_figures(const Trajectory& path, const std::vector<SecondTour>& later_tours,
+                         const Trajectory& reference, bool aligned) {
     PathFigures figures;
-    figures.absolute = trajectory_error(path, reference);
+    const Trajectory known = in_one_frame(path, later_tours);
+    figures.absolute = trajectory_error(known, reference);
     if (!figures.absolute) return figures;
-    figures.relative = relative_error(path, reference, {PairSpacing::By::distance, kRelativeWay});
+    figures.relative = relative_error(known, reference, {PairSpacing::By::distance, kRelativeWay});
     // Without headings the first pose says nothing of how the frames lie.
     aligned = aligned || !figures.absolute->heading_rmse_rad;
     figures.errors = path_errors(
         path, reference,
         aligned ? std::optional(figures.absolute->pose_reference_estimate) : std::nullopt);
+    std::erase_if(figures.errors,
+                  [&](const PathError& error) { return lies_beside(later_tours, error.pose); });
     figures.begin_s = path.front().time_s;
     const std::vector<double> seconds = tour_seconds(path);
     for (PathError& error : figures.errors) error.time_s = figures.begin_s + seconds[error.pose];

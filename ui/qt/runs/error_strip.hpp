@@ -11,6 +11,7 @@
 
 #include "hitos/services/evaluation/path_errors.hpp"
 #include "hitos/services/evaluation/relative_error.hpp"
+#include "hitos/services/evaluation/tour_frames.hpp"
 #include "look/theme.hpp"
 #include "views/figure.hpp"
 
@@ -37,7 +38,9 @@ struct PathFigures {
 
     double greatest_m() const;
 };
-PathFigures path_figures(const Trajectory& path, const Trajectory& reference, bool aligned);
+/// Of what lies in one frame.
+PathFigures path_figures(const Trajectory& path, const std::vector<SecondTour>& later_tours,
+                         const Trajectory& reference, bool aligned);
 
 /// The two sides of a comparison and what else was chosen with them, one over the other.
 class ErrorStrip final : public QWidget {

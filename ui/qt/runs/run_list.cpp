@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "hitos/services/evaluation/measures.hpp"
+#include "hitos/services/evaluation/tour_frames.hpp"
 #include "session/background.hpp"
 #include "views/plot_style.hpp"
 
@@ -88,6 +88,7 @@ KeptRun RunList::run_at(const Snapshot* state) const {
     run.map = state->best_map;
     run.line_extents = state->line_extents;
     run.path = state->best_trajectory;
+    run.later_tours = state->later_tours;
     run.odometry = state->odometry_trajectory;
     run.grid = state->step_grid;
     measure(run);
@@ -98,7 +99,8 @@ KeptRun RunList::run_at(const Snapshot* state) const {
 void RunList::measure(KeptRun& run) const {
     const References& references = session_.references();
     if (references.trajectory) {
-        const auto error = trajectory_error(run.path, *references.trajectory);
+        const auto error =
+            trajectory_error(in_one_frame(run.path, run.later_tours), *references.trajectory);
         run.figures["trajectory_error_m"] = error ? std::optional(error->rmse_m) : std::nullopt;
     }
     if (references.map) {

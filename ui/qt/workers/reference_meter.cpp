@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hitos/services/evaluation/reference_fit.hpp"
+#include "hitos/services/evaluation/tour_frames.hpp"
 #include "hitos/services/files/tour_time.hpp"
 #include "session/background.hpp"
 
@@ -31,7 +32,10 @@ ErrorPoint measure(const RunCheckpoint& checkpoint, const References& references
     if (references.map)
         map = map_error(checkpoint.state.filter->clone()->best_map(), *references.map);
     std::optional<TrajectoryError> trajectory;
-    if (references.trajectory) trajectory = trajectory_error(path, *references.trajectory);
+    if (references.trajectory) {
+        trajectory = trajectory_error(in_one_frame(path, checkpoint.state.later_tours()),
+                                      *references.trajectory);
+    }
     return point(path, map, trajectory);
 }
 
@@ -58,11 +62,12 @@ Measured measure(const Snapshot& snapshot, const References& references, KnownEr
         out.doubt = doubt_of_map(snapshot.best_map, *references.map);
     }
     if (references.trajectory) {
-        out.trajectory = trajectory_error(snapshot.best_trajectory, *references.trajectory);
-        out.odometry = trajectory_error(snapshot.odometry_trajectory, *references.trajectory);
+        const Trajectory path = in_one_frame(snapshot.best_trajectory, snapshot.later_tours);
+        out.trajectory = trajectory_error(path, *references.trajectory);
+        out.odometry = tour_by_tour_error(snapshot.odometry_trajectory, snapshot.later_tours,
+                                          *references.trajectory);
         // Of the two the one by which loops are told false.
-        const ReferenceFit fit =
-            fit_of_path(snapshot.best_trajectory, *references.trajectory, references.tolerance_s);
+        const ReferenceFit fit = fit_of_path(path, *references.trajectory, references.tolerance_s);
         if (fit.misfit || fit.headings) out.doubt = fit.misfit ? fit.misfit : fit.headings;
         const Pose pose_world_reference =
             out.trajectory ? inverse(out.trajectory->pose_reference_estimate) : Pose{};

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hitos/registration/registration.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
 #include "hitos/services/evaluation/run_loops.hpp"
 #include "hitos/services/evaluation/run_measures.hpp"
@@ -28,6 +29,7 @@ struct KeptRun {
     Trajectory odometry;
     GridTiles grid;                                  ///< empty where only the log could tell
     std::vector<RunLoop> loops = {};                 ///< of a folder, without their errors
+    std::vector<SecondTour> later_tours = {};        ///< behind the first one; where each was found
     RunFigures figures = {};                         ///< of a folder those that its summary states
     std::vector<std::string> reference_doubts = {};  ///< likewise, in English
 };

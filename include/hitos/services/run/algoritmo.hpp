@@ -100,6 +100,8 @@ class Algoritmo {
     const SlamFilter& filter() const { return *state_.filter; }
     /// Null where the algorithm asks for none.
     const Registration* registration() const { return state_.registration.get(); }
+    /// The tours behind the first one; none where scans are not registered.
+    std::vector<SecondTour> later_tours() const { return state_.later_tours(); }
     const Scan& scan() const { return state_.scan; }  ///< the last one
     /// Those of registration's keys; empty where no grid is drawn.
     const std::vector<std::shared_ptr<const Scan>>& key_scans() const { return state_.key_scans; }

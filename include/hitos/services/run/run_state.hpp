@@ -78,6 +78,7 @@ struct RunState {
     Trajectory best_trajectory() const;
     /// Any hypothesis' poses with the scans' stamps.
     Trajectory stamped(const std::vector<Pose>& poses) const;
+    std::vector<SecondTour> later_tours() const;
     /// Memory that it takes, about.
     std::size_t bytes() const;
 };
