@@ -17,14 +17,14 @@ namespace {
 
 using Kind = TourFinding::Kind;
 
-constexpr std::array<std::string_view, 32> kWords{
+constexpr std::array<std::string_view, 33> kWords{
     "clocks-apart",      "scan-delay",     "late-stamps",     "ray-times",      "parts-of-a-turn",
     "clock-speed",       "clock-set",      "clock-back",      "broken-stamps",  "coarse-stamps",
     "assumed-mounting",  "two-publishers", "mirrored-laser",  "turned-laser",   "wrong-fan",
     "misplaced-laser",   "no-odometry",    "unread-odometry", "still-odometry", "leaping-odometry",
     "sideways-odometry", "odometry-scale", "odometry-turns",  "odometry-units", "laser-units",
-    "beyond-a-turn",     "blind-laser",    "no-return",       "self-hits",      "frozen-laser",
-    "unfit-odometry",    "unsure-drawing"};
+    "beyond-a-turn",     "blind-laser",    "foreign-scans",   "no-return",      "self-hits",
+    "frozen-laser",      "unfit-odometry", "unsure-drawing"};
 
 }  // namespace
 
@@ -213,12 +213,16 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
     doubt_stamps(own);
     doubt_speed(own);
     doubt_place(own);
+    if (own.empty()) doubt_foreign_scans(own);
+    if (own.empty()) doubt_coarse_readings(own);
     const bool sees = !holds(told, Kind::laser_units) && !holds(told, Kind::blind_laser);
     // Axes and units that the reader doubts explain what else does not fit.
     const bool of_axes = holds(told, Kind::sideways_odometry) || holds(told, Kind::odometry_units);
     std::vector<TourFinding> hung;
     doubt_same_scans(hung);
-    const bool asked = own.empty() && sees && !of_axes;
+    constexpr double kAll = 0.9;  // then no clock explains it
+    const bool hangs = !hung.empty() && hung.front().value > kAll;
+    const bool asked = own.empty() && sees && !of_axes && !hangs;
     if (asked) doubt_fit(own);
     // By another clock the robot may have stood where scans seem to hang.
     const auto of_clocks = [](const TourFinding& finding) {
@@ -232,7 +236,7 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
     doubt_odometry(own);
     if (own.empty() && sees) doubt_stills(own);
     doubt_lost_rays(own);
-    if (!holds(own, Kind::laser_units)) doubt_self_hits(own);
+    if (!holds(own, Kind::laser_units) && !hangs) doubt_self_hits(own);
     if (!of_axes) doubt_heading(own);
     for (TourFinding& finding : told) {
         if (finding.kind == Kind::sideways_odometry) settle_axes(finding);
@@ -286,6 +290,7 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
         own.push_back(*std::move(unseen));
     }
     std::ranges::move(own, std::back_inserter(told));
+    settle_scans(told);
     std::ranges::stable_sort(told, {}, &TourFinding::kind);
     return told;
 }

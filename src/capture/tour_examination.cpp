@@ -142,6 +142,7 @@ void TourExamination::note(const Scan& scan) {
     last_scan_line_ = scan.line;
     note_pause(scan);
     note_self(scan);
+    note_neighbours(scan);
     constexpr double kMoves = 5e-3;   // [m], [rad]: less may look the same
     constexpr double kStillSo = 0.5;  // [s]
     const double odometer = way_m_ + turned_rad_;

@@ -264,6 +264,7 @@ void TourExamination::doubt_scale(std::vector<TourFinding>& found) const {
     const bool stands_out = best.agreement > std::max(kLeastFar, kTimes * told) &&
                             best.agreement > kTimesNowhere * nowhere;
     if (!stands_out && best.agreement < std::max(kLeastFit, told + kClearly)) return;
+    if (sits_elsewhere(best.hypothesis)) return;
     const double scale =
         best.hypothesis.scale * (1.0 + middle_offset(fit, kAround, kAroundSteps, [&](double off) {
                                      Hypothesis other = best.hypothesis;

@@ -7,6 +7,7 @@
 
 #include "hitos/capture/tour_examination.hpp"
 #include "remedies.hpp"
+#include "scan_climb.hpp"
 
 namespace hitos {
 namespace {
@@ -16,29 +17,6 @@ constexpr TourExamination::Hypothesis kAsTold{};
 double motion_between(const Pose& a, const Pose& b) {
     const Pose step = between(a, b);
     return std::hypot(step.x, step.y) + std::abs(wrap_angle(step.theta));
-}
-
-/// Climbs from `best` to where `agreement` of a step is highest.
-template <class Agreement>
-Pose nearest_fit(const Agreement& agreement, Pose best) {
-    double highest = agreement(best);
-    constexpr double kCoarsest = 0.2;  // [m], [rad / 2]
-    constexpr double kFinest = 0.02;
-    double step = kCoarsest;
-    while (step > kFinest) {
-        const Pose from = best;
-        for (const double to : {-step, step}) {
-            for (const Pose& way : {Pose{to, 0, 0}, Pose{0, to, 0}, Pose{0, 0, to / 2.0}}) {
-                const Pose next{from.x + way.x, from.y + way.y, from.theta + way.theta};
-                const double found = agreement(next);
-                if (found <= highest) continue;
-                highest = found;
-                best = next;
-            }
-        }
-        if (best == from) step /= 2.0;
-    }
-    return best;
 }
 
 }  // namespace

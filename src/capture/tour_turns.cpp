@@ -128,7 +128,8 @@ bool TourExamination::doubt_drift(std::initializer_list<Hypothesis> otherwise,
         best.agreement < kLeast || beaten_by(told) ||
         std::ranges::any_of(
             otherwise, [&](const Hypothesis& other) { return beaten_by(fit(closely(other))); }) ||
-        beaten_by(best_turn_scale(fit).agreement) || best.agreement < turned.agreement) {
+        beaten_by(best_turn_scale(fit).agreement) || best.agreement < turned.agreement ||
+        sits_elsewhere(best.hypothesis)) {
         return false;
     }
     const std::string degrees = fmt::format("{:.1f}", std::abs(rate) * kDegreesPerRadian);
@@ -173,6 +174,28 @@ bool TourExamination::is_scale_of_each(const Pairs& pairs, double scale) const {
         if (highest > 0.0) off.push_back(best);
     }
     return !off.empty() && median(std::move(off)) <= kSame;
+}
+
+/// Whether a laser that sits elsewhere explains what the scans say better than that does: where the
+/// robot turns, it drives another way then.
+bool TourExamination::sits_elsewhere(const Hypothesis& instead) const {
+    constexpr std::size_t kLeastPairs = 10;
+    constexpr double kNear = 0.2;  // [m]
+    constexpr double kFar = 1.5;
+    constexpr double kBetter = 0.02;
+    const Turning turning = turning_pairs();
+    if (turning.pairs.size() < kLeastPairs) return false;
+    const Fit fit(*this, turning.pairs);
+    const BestFit placed = best_place(fit);
+    const Point2& shift = placed.hypothesis.shift;
+    const Pose& said = fan_.pose_robot_laser;
+    if (std::hypot(shift.x, shift.y) < kNear ||
+        std::hypot(said.x + shift.x, said.y + shift.y) > kFar) {
+        return false;
+    }
+    const Fit all(*this, some_pairs(pairs_.size()));
+    return placed.agreement > fit(closely(instead)) + kBetter &&
+           all(placed.hypothesis) >= all(closely(instead));
 }
 
 /// Of what fits turns clearly better than what the tour says, the best.

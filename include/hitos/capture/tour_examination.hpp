@@ -185,6 +185,7 @@ class TourExamination {
     /// The same of short delays, where it fits turns clearly better than `otherwise` does.
     std::optional<TourFinding> turning_clock(const Turning& turning, double otherwise) const;
     void doubt_turning(std::vector<TourFinding>& found) const;
+    bool sits_elsewhere(const Hypothesis& instead) const;
     /// Of some pairs: how the robot moved by the odometry and by the scans.
     struct Motion {
         Pose told;
@@ -223,6 +224,18 @@ class TourExamination {
     std::optional<TourFinding> unseen_way(const Pause& pause, const Pose& step) const;
     void note_self(const Scan& scan);
     void note_pause(const Scan& scan);
+    void note_neighbours(const Scan& scan);
+    void doubt_foreign_scans(std::vector<TourFinding>& found) const;
+    void doubt_coarse_readings(std::vector<TourFinding>& found) const;
+    /// What some pairs say without the odometry.
+    struct ScansAlone {
+        /// The share of points that lie on the earlier scan by the motion that fits best, rising;
+        /// of pairs between which the odometry moved.
+        std::vector<double> fits;
+        double telling = 0.0;  ///< share of pairs that show how the robot moved
+    };
+    ScansAlone scans_alone() const;
+    void settle_scans(std::vector<TourFinding>& found) const;
     void begin_next(bool& begun, std::uint64_t lines_before);
 
     ReadOptions read_;
@@ -292,6 +305,11 @@ class TourExamination {
     double last_stamp_s_ = 0.0;           ///< of the newest line,
     double elapsed_s_ = 0.0;              ///< and of the tour there
     std::vector<Point2> last_points_;
+    std::vector<float> last_ranges_;    ///< of the newest scan, by ray, 0 where nothing is known
+    std::vector<float> ranges_before_;  ///< of the one before
+    double last_alike_ = 0.0;           ///< both
+    std::uint64_t steady_scans_ = 0;    ///< whose neighbours are alike,
+    std::uint64_t foreign_scans_ = 0;   ///< and these: unlike both
     Fan last_fan_;
     std::vector<Pause> pauses_;  ///< the longest ones
     Fan fan_;

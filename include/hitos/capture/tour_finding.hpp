@@ -64,6 +64,8 @@ struct TourFinding {
         laser_units,     ///< readings of a distance that no such laser sees; value: median [m]
         beyond_a_turn,   ///< rays over more than a turn; value: angle from first to last [rad]
         blind_laser,     ///< hardly any scan has a point; value: share of those with none
+        foreign_scans,   ///< scans of another place between others, or that fit nothing; value:
+                         ///< share of those with such neighbours, or of their points that fit
         no_return,     ///< readings that say "nothing seen" are taken for walls; value: their range
                        ///< [m]
         self_hits,     ///< rays that always end on the robot; value: how many

@@ -75,6 +75,30 @@ std::optional<std::pair<double, double>> time_in_common(const Trajectory& path, 
     return meets ? std::optional(std::pair(common, met)) : std::nullopt;
 }
 
+/// Stamps that it has twice, with two places.
+std::optional<Advice> doubt_of_doubles(Trajectory reference) {
+    constexpr double kApart = 0.1;  // [m]
+    constexpr double kMany = 0.01;
+    std::ranges::stable_sort(reference, {}, &StampedPose::time_s);
+    std::size_t doubles = 0;
+    double farthest_m = 0.0;
+    for (std::size_t i = 1; i < reference.size(); ++i) {
+        if (reference[i].time_s != reference[i - 1].time_s) continue;
+        const Pose step = between(reference[i - 1].pose, reference[i].pose);
+        const double apart_m = std::hypot(step.x, step.y);
+        if (apart_m <= kApart) continue;
+        ++doubles;
+        farthest_m = std::max(farthest_m, apart_m);
+    }
+    if (static_cast<double>(doubles) <= kMany * static_cast<double>(reference.size())) return {};
+    return Advice{
+        HITOS_TEXT("Advice",
+                   "The reference trajectory has two places at one stamp, up to %1 "
+                   "apart: it is of two robots or tours, and errors against it are none."),
+        fmt::format("{:.2f} m", farthest_m),
+        {}};
+}
+
 }  // namespace
 
 std::vector<Advice> ReferenceFit::doubts() const {
@@ -101,7 +125,8 @@ ReferenceFit fit_of_path(const Trajectory& path, const Trajectory& reference, do
         own.emplace_back(path[pair.estimate].pose.x, path[pair.estimate].pose.y);
         there.emplace_back(pair.reference.x, pair.reference.y);
     }
-    fit.misfit = doubt_of_clock(path, reference, tolerance_s);
+    fit.misfit = doubt_of_doubles(reference);
+    if (!fit.misfit) fit.misfit = doubt_of_clock(path, reference, tolerance_s);
     if (!fit.misfit) fit.misfit = doubt_of_shape(own, there);
     const HeadingsFit headings = fit_of_headings(path, matched);
     // What is mirrored turns the other way.

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include "graph/graph_merging.hpp"
+#include "graph/graph_window.hpp"
 #include "graph_oracle.hpp"
 #include "graph_tour.hpp"
 #include "hitos/base/error.hpp"
@@ -145,6 +146,28 @@ TEST(GraphSlam, EqualsADenseOracle) {
     }
     const Matrix3 pose = oracle.pose_covariance();
     EXPECT_LT((run.filter.pose_covariance() - pose).norm(), 0.02 * pose.norm());
+}
+
+TEST(GraphWindow, KnowsTheCovarianceOfSumsOfLandmarks) {
+    GraphRun run = corridor_run(SimNoise{}, 5);
+    run.drive(corridor_path(1.0, 2));
+    LandmarkGraph graph = run.filter.graph();
+    GraphWindow window;
+    window.solve(graph);
+    const Matrix2 one = Matrix2::Identity();
+    const std::vector<std::uint32_t>& reachable = window.reachable();
+    ASSERT_GE(reachable.size(), 2U);
+    const std::size_t a = reachable.front();
+    const std::size_t b = reachable.back();
+    const Matrix2 of_a = window.landmark_covariance(graph, a);
+    const double scale = of_a.norm();
+    EXPECT_LT(window.covariance(graph, a, one, a, -one).norm(), 1e-9 * scale);
+    EXPECT_LT((window.covariance(graph, a, one, a, one) - 4.0 * of_a).norm(), 1e-9 * scale);
+    const Matrix2 sum = window.covariance(graph, a, one, b, one);
+    const Matrix2 difference = window.covariance(graph, a, one, b, -one);
+    EXPECT_LT((sum - sum.transpose()).norm(), 1e-9 * scale);
+    EXPECT_LT((sum + difference - 2.0 * (of_a + window.landmark_covariance(graph, b))).norm(),
+              1e-9 * scale);
 }
 
 // What landmarks that are seen again say of the pose counts before any loop is closed.

@@ -67,6 +67,11 @@ TEST(StructuresCheck, SeesBrokenHistories) {
             tree.history.take_back(again);
         },
         "node 1 of 3 is free twice");
+    // One particle alone has all nodes on its way.
+    PoseHistory alone;
+    PoseHistory::Node leaf = alone.append(PoseHistory::kNone, {});
+    leaf = alone.append(leaf, {1.0, 0.0, 0.0});
+    EXPECT_NO_THROW(alone.check(std::vector{leaf}, 2));
 }
 
 template <class S>
@@ -198,6 +203,12 @@ TEST(StructuresCheck, SeesBrokenGraphs) {
     expect([](LandmarkGraph& graph) { graph.pose(2).x = kNot; }, "key 2: its pose is no number");
     expect([](LandmarkGraph& graph) { writable(graph.sightings())[0].information *= -1.0; },
            "sighting 0: its information is not symmetric and positive definite");
+    expect(
+        [](LandmarkGraph& graph) {
+            writable(graph.sightings())[0].information.row(1) *= 0.0;
+            writable(graph.sightings())[0].information.col(1) *= 0.0;
+        },
+        "sighting 0: its information is not symmetric and positive definite");
     expect([](LandmarkGraph& graph) { writable(graph.landmarks())[0].sightings.pop_back(); },
            "is listed by 0 of the 1 that it names");
     expect([](LandmarkGraph& graph) { graph.move_landmark(1, Vector2(kNot, 0.0)); },

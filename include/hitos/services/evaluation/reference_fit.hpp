@@ -29,6 +29,7 @@ struct ReferenceFit {
 };
 
 /// What there is to doubt of a reference trajectory whose poses tell of the path's:
+/// - it has two places at one stamp;
 /// - with its stamps a little later or earlier, up to a minute, it lies much nearer to the path;
 /// - over pieces of ten metres, which even bad odometry bends little, it is a mirror image of the
 ///   path or of another size, or is nowhere like it and far from it as a whole too;

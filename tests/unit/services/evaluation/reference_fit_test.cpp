@@ -54,6 +54,19 @@ TEST(ReferenceFit, CountsThePosesThatHaveOneOfTheReference) {
     EXPECT_GE(fit_of_reference(path, path_from(0.17, 0.4, 248)).common, 98U);
 }
 
+TEST(ReferenceFit, TwoPlacesAtOneStampAreOfTwoRobots) {
+    const Trajectory path = path_from(0.0, 1.0, 100);
+    Trajectory twice = path;
+    twice.insert(twice.end(), path.begin(), path.end());
+    EXPECT_FALSE(doubt_of(path, twice)) << "the same places";
+    for (std::size_t i = path.size(); i < twice.size(); ++i) twice[i].pose.y += 5.0;
+    const std::optional<Advice> doubt = doubt_of(path, twice);
+    ASSERT_TRUE(doubt);
+    EXPECT_THAT(doubt->text, HasSubstr("two places at one stamp"));
+    EXPECT_EQ(doubt->figure, "5.00 m");
+    EXPECT_FALSE(fit_of_path(path, twice).judges_loops());
+}
+
 TEST(ReferenceFit, RefusesATrajectoryOfAnotherTour) {
     const Trajectory path = path_from(10.0, 1.0, 100);
     const std::string hours = refusal(path, path_from(7210.0, 1.0, 100));
