@@ -158,9 +158,10 @@ void TourExamination::settle_scans(std::vector<TourFinding>& found) const {
         return remedy.settings == take_it_from_scans().settings;
     };
     const auto blames = [&](const TourFinding& finding) {
-        return std::ranges::any_of(finding.remedies, from_scans) ||
-               finding.kind == Kind::unfit_odometry || finding.kind == Kind::odometry_turns ||
-               finding.kind == Kind::odometry_scale;
+        const bool unfit = finding.kind == Kind::unfit_odometry &&
+                           std::ranges::any_of(finding.remedies, &Remedy::registration);
+        return unfit || std::ranges::any_of(finding.remedies, from_scans) ||
+               finding.kind == Kind::odometry_turns || finding.kind == Kind::odometry_scale;
     };
     if (std::ranges::none_of(found, blames) || pairs_.empty() || has_few_rays()) return;
     const ScansAlone alone = scans_alone();
