@@ -304,7 +304,7 @@ std::optional<Correlation> correlate(std::span<const SurfacePoint> points,
 BestPlaces best_places(std::span<const SurfacePoint> points, const CorrelationMap& map,
                        const SquareLattice& lattice, std::span<const Point2> positions,
                        const PlacesWanted& wanted) {
-    constexpr int kMostOpened = 300000;
+    constexpr int kMostOpened = 200000;
     constexpr double kApart = 2.0;      // [m]
     constexpr double kApartTurn = 0.5;  // [rad]
     if (points.empty() || positions.empty()) return {};

@@ -42,7 +42,7 @@ struct PlacesWanted {
 
 struct BestPlaces {
     std::vector<Correlation> places;  ///< each 2 m or 0.5 rad from every other one, best first
-    bool all = true;  ///< false where 300 000 squares were opened without an end: some are missing
+    bool all = true;  ///< false where 200 000 squares were opened without an end: some are missing
 };
 
 /// The places about `positions`, at any heading, that correlate best; of up to
