@@ -183,6 +183,19 @@ class Threads(unittest.TestCase):
         other.join()
         self.assertFalse(result.finished)
 
+    def test_what_progress_ends_does_not_take_a_finished_runs_place(self):
+        with tempfile.TemporaryDirectory() as name:
+            out = pathlib.Path(name) / "out"
+            hitos.run("corridor", {"filter.particles": 5}, out=out)
+            summary = (out / "summary.json").read_bytes()
+            with self.assertWarnsRegex(UserWarning, "keeps the results of a run to its tour's end"):
+                result = hitos.run("corridor", {"filter.particles": 500}, out=out,
+                                   progress=lambda now: False)
+            self.assertFalse(result.finished)
+            self.assertEqual((out / "summary.json").read_bytes(), summary)
+            result.write(out)  # which is said of this very result
+            self.assertNotEqual((out / "summary.json").read_bytes(), summary)
+
     def test_many_threads_read_and_run_at_once(self):
         results = {}
 

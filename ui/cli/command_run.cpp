@@ -313,6 +313,10 @@ void run(const RunOptions& options, std::optional<LiveRun>& live) {
     } else {
         line.finish(progress.steps, landmarks);
     }
+    if (stopped && !live && tell_kept(options.out)) {
+        log.check();
+        throw CLI::RuntimeError(StopByRequest::status());
+    }
 
     ProgressLine files("file");
     const WritingObserver told = [&](const WritingProgress& now) {

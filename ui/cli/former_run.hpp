@@ -16,4 +16,8 @@ namespace hitos::cli {
 void refuse_another_run(const std::filesystem::path& folder, const Configuracion& configuration,
                         std::span<const std::string> also);
 
+/// Of a run that was stopped: whether the folder holds one to its tour's end, of which it does not
+/// take the place. Says so.
+bool tell_kept(const std::filesystem::path& folder);
+
 }  // namespace hitos::cli

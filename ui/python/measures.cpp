@@ -68,9 +68,12 @@ References references_of(const std::optional<path>& map, const py::object& traje
     return references;
 }
 
+void warn(const std::string& words) {
+    if (PyErr_WarnEx(PyExc_UserWarning, words.c_str(), 1) != 0) throw py::error_already_set();
+}
+
 void tell(const Advice& doubt) {
-    if (PyErr_WarnEx(PyExc_UserWarning, doubt.words().c_str(), 1) != 0)
-        throw py::error_already_set();
+    warn(doubt.words());
 }
 
 void bind_measures(py::module_& module) {

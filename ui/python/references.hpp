@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "bindings.hpp"
 #include "hitos/services/results/results.hpp"
@@ -17,6 +18,7 @@ References references_of(const std::optional<std::filesystem::path>& map,
                          const std::optional<std::filesystem::path>& distances = {});
 
 /// Warns in Python's way.
+void warn(const std::string& words);
 void tell(const Advice& doubt);
 
 }  // namespace hitos::python

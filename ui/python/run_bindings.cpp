@@ -95,7 +95,14 @@ std::shared_ptr<Result> run_to_the_end(const py::object& tour, const py::object&
     const std::unique_ptr<StagedFolder> folder = out ? run->folder_for(*out, words) : nullptr;
     run->advance(kToTheEnd, progress);
     std::shared_ptr<Result> result = run->result();
-    if (folder) static_cast<void>(run->write(result->shown()->revision, *folder, words));
+    const bool stopped = run->progress().state != Progress::State::finished;
+    if (folder && stopped && holds_finished_run(*out)) {
+        warn(fmt::format("nothing is written: {} keeps the results of a run to its tour's end, and "
+                         "this one was stopped before; write() of its result writes them",
+                         out->string()));
+    } else if (folder) {
+        static_cast<void>(run->write(result->shown()->revision, *folder, words));
+    }
     return result;
 }
 
@@ -198,7 +205,8 @@ configuration's stand.
 configuration: a Configuration, a dict of parameters over the defaults (for a world, over the preset
 simulated; for what a robot recorded, over recorded), or None.
 progress: called with a Progress some times a second and at the end; False ends the run there.
-out: a folder for the files that `hitos-cli run` writes.
+out: a folder for the files that `hitos-cli run` writes. A run that was ended before does not take
+the place of one to its tour's end there, and warns of that.
 reference: a map file, reference_trajectory: a TUM file or an N x 4 array of t, x, y, theta (default
 for a world: the true path), distances: a file of named distances, to measure the run against; they
 show in Result.summary. Files are taken for what they hold, a map or a trajectory. A trajectory of

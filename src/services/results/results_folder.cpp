@@ -88,6 +88,15 @@ std::optional<std::string> somebodys_file(const std::filesystem::path& folder,
     return std::nullopt;
 }
 
+bool holds_finished_run(const std::filesystem::path& folder) {
+    try {
+        return with_summary(
+            folder, [](const nlohmann::json& json) { return json.value("finished", true); });
+    } catch (const Error&) {
+        return false;
+    }
+}
+
 StagedFolder results_folder(const std::filesystem::path& folder) {
     // Asked first before anything changes places, and then not read again.
     return {folder,

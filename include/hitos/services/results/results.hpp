@@ -111,6 +111,10 @@ bool is_results_file(const std::string& name);
 std::optional<std::string> somebodys_file(const std::filesystem::path& folder,
                                           std::span<const std::string> also);
 
+/// Whether the folder has the results of a run that went on to its tour's end, as far as can be
+/// known.
+bool holds_finished_run(const std::filesystem::path& folder);
+
 /// The folder of one run's results, kept for it: what is written there takes the place of an
 /// earlier run's all at once, and other people's files in it stay. Throws FileError, so that a long
 /// run does not end in vain.
