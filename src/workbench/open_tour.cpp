@@ -14,6 +14,7 @@
 #include "hitos/registration/scan_odometry.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
 #include "hitos/services/files/trajectory_file.hpp"
+#include "hitos/services/results/kept_run.hpp"
 #include "hitos/services/run/open_source.hpp"
 #include "hitos/simulation/drive/simulated_tour_reader.hpp"
 #include "hitos/workbench/benchmark.hpp"
@@ -62,6 +63,7 @@ Configuracion configuration_in(const std::string& folder) {
                                            "expected the folder that a run of the first tour "
                                            "has written"));
     }
+    expect_results_unchanged(folder);
     return ArchivoConfiguracion::read(configuration_file(folder));
 }
 

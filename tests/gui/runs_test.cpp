@@ -552,6 +552,15 @@ void RunsTest::a_map_is_gone_on_with() {
     f.prompts.folders = {f.path("user")};
     f.trigger("action_go_on");
     QCOMPARE(f.prompts.warnings.size(), 1);
+    // Nor is one that was changed by hand.
+    QFile settings(f.path("mapped/config.cfg"));
+    QVERIFY(settings.open(QIODevice::Append));
+    settings.write("# mine\n");
+    settings.close();
+    f.prompts.folders = {f.path("mapped")};
+    f.trigger("action_go_on");
+    QCOMPARE(f.prompts.warnings.size(), 2);
+    QVERIFY(f.prompts.warnings.back().contains("is not the file that summary.json beside it"));
 }
 
 void RunsTest::a_folder_without_results_is_told() {

@@ -272,7 +272,23 @@ TEST_F(SecondTourTest, TellsWhatItCannotGoOnWith) {
     file("first.toml", log.substr(0, log.find("rate = 2")) + "rate = 1\n");
     expect(map(), "the log has changed; run it again");
     file("first/config.cfg", "[source]\nmap = 3\n");
+    file("first/summary.json", "{}");  // of before it named the files
     expect(map(), "config.cfg:2");
+}
+
+TEST_F(SecondTourTest, TellsAFolderThatWasChanged) {
+    for (const std::string name : {"config.cfg", "map.txt", "trajectory.tum"}) {
+        const std::string before = content("first/" + name);
+        file("first/" + name, before + "# mine\n");
+        const test::Outcome told = run("second.toml", "out", map());
+        EXPECT_EQ(told.status, 1) << name;
+        EXPECT_THAT(told.output,
+                    HasSubstr("first/" + name + ": is not the file that summary.json beside it"));
+        file("first/" + name, before);
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / "summary.json"));
+    std::filesystem::remove(folder_ / "first/summary.json");
+    EXPECT_THAT(run("second.toml", "out", map()).output, HasSubstr("it has no summary.json"));
 }
 
 TEST_F(SecondTourTest, ACircleOfMapsIsTold) {
@@ -281,6 +297,7 @@ TEST_F(SecondTourTest, ACircleOfMapsIsTold) {
     ASSERT_NE(text.find(none), std::string::npos);
     text.replace(text.find(none), none.size(), "\nmap = \"" + path("first") + '"');
     file("first/config.cfg", text);
+    file("first/summary.json", "{}");  // of before it named the files
     const test::Outcome told = run("second.toml", "out", map());
     EXPECT_NE(told.status, 0);
     EXPECT_THAT(told.output, HasSubstr("circle of them"));

@@ -23,7 +23,7 @@ namespace hitos {
 /// `run_seed`. Throws what open_source(), read_world() and set_world_value() throw, and ConfigError
 /// where a world is to be read in the format of a log. Where source.map names the results of a run,
 /// that run's tour, as it was read, comes before it (make_joined_tour()); FileError where they are
-/// none.
+/// none, FormatError where expect_results_unchanged() throws it.
 std::unique_ptr<TourReader> open_tour(const SourceParams& source, std::uint64_t run_seed = 1);
 /// With the configuration's seed. Throws what check_held_map() throws besides.
 std::unique_ptr<TourReader> open_tour(const Configuracion& configuration);

@@ -114,6 +114,13 @@ KeptRun read_results(const std::filesystem::path& folder) {
     return run;
 }
 
+void expect_results_unchanged(const std::filesystem::path& folder) {
+    with_summary(folder, [&](const nlohmann::json& summary) {
+        expect_unchanged(summary, folder);
+        return 0;
+    });
+}
+
 bool same_log(const Configuracion& a, const Configuracion& b) {
     // A file holds no bytes that are no UTF-8.
     if (in_utf8(a.source.file) == in_utf8(b.source.file)) return true;

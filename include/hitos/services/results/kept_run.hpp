@@ -38,6 +38,10 @@ struct KeptRun {
 /// file of it is missing and FormatError where one is not what was written.
 KeptRun read_results(const std::filesystem::path& folder);
 
+/// Throws FormatError where one of the files that read_results() reads is not the one that the
+/// folder's summary names, FileError where there is no summary.
+void expect_results_unchanged(const std::filesystem::path& folder);
+
 /// Whether both are of one log or world, however its path is written and whether or not it is
 /// there.
 bool same_log(const Configuracion& a, const Configuracion& b);
