@@ -258,7 +258,7 @@ void StudyTest::decimal_commas_are_those_of_the_country() {
         f.set("values", written);
         return f.study.findChild<QLabel*>("values_hint")->text();
     };
-    QVERIFY2(read("0,5, 1,3").startsWith("Values: 4 (0; 5; 1; 3)."), qPrintable(read("0,5, 1,3")));
+    QVERIFY2(read("2,5, 1,3").startsWith("Values: 4 (2; 5; 1; 3)."), qPrintable(read("2,5, 1,3")));
     QVERIFY(read("0.5 1.3").startsWith("Values: 2 (0.5; 1.3)."));
     {
         const DecimalCommas commas;
@@ -270,7 +270,15 @@ void StudyTest::decimal_commas_are_those_of_the_country() {
         f.study.form().set_assignments({"p0=1,3"});  // of the command line
         QVERIFY(f.study.findChild<QLabel*>("values_hint")->text().startsWith("Values: 2 (1; 3)."));
         f.study.form().set_assignments({"p="});  // whole numbers have none
-        QVERIFY(read("10,20,50").startsWith("Values: 3 (10; 20; 50)."));
+        for (const char* list : {"10; 20; 50", "10 20 50", "10, 20, 50"})
+            QVERIFY(read(list).startsWith("Values: 3 (10; 20; 50)."));
+        for (const char* list : {"0,02; 0,04", "10,20,50"}) {
+            const QString told = read(list);
+            QVERIFY2(told.contains("a comma is a decimal one here"), qPrintable(told));
+            QVERIFY(f.study.findChild<QLabel*>("all_runs")->text().isEmpty());
+        }
+        f.run_study();
+        QVERIFY2(f.error_at("values").contains("whole numbers"), qPrintable(f.error_at("values")));
         auto* noise = f.study.findChild<QDoubleSpinBox*>("noise");
         noise->setFocus();
         noise->selectAll();
@@ -309,6 +317,17 @@ void StudyTest::values_that_are_none_are_not_counted() {
     QVERIFY(refused("sensor=", "0.04/wide"));
     QVERIFY(!refused("p=", "10, 50"));
     QVERIFY(!refused("motion.model=", "odometry"));
+    // What is written whole and cannot be run is said at once.
+    const auto told = [&](const char* parameter, const QString& written, const QString& words) {
+        f.study.form().set_assignments({parameter});
+        f.set("values", written);
+        return f.study.findChild<QLabel*>("values_hint")->text().contains(words) &&
+               f.study.findChild<QLabel*>("all_runs")->text().isEmpty();
+    };
+    QVERIFY(told("p=", "5, 0", "filter.particles: 0 is out of range"));
+    QVERIFY(told("dmax=", "0.02, 99", "99 is out of range"));
+    QVERIFY(told("dmax=", "0.02 0.020", "dmax: the value 0.02 is given twice"));
+    QVERIFY(told("p=", "5 5", "the value 5 is given twice"));
     const DecimalCommas commas;
     QVERIFY(refused("dmax=", "0,02,0,05"));
     QVERIFY(!refused("dmax=", "0,02; 0,05"));

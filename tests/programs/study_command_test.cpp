@@ -195,14 +195,32 @@ TEST_F(StudyCommand, AWorldIsStudiedByItsTrueWayAndItsGridMaps) {
 }
 
 TEST_F(StudyCommand, SomeFailuresGiveStatusTwoAndOnlyFailuresOne) {
-    const Outcome some = shell(study("--vary dmax=0.02,99 --runs 1 --out " + path("some")));
+    const std::string gone = path("gone.log");
+    const Outcome some =
+        shell(study("--vary source.file=" + log_ + "," + gone + " --runs 1 --out " + path("some")));
     EXPECT_EQ(some.status, 2);
-    EXPECT_THAT(some.output,
-                HasSubstr("run failed: dmax=99 seed 1: split_merge.dmax: 99 is out of"));
+    EXPECT_THAT(some.output, HasSubstr("run failed: source.file=" + gone + " seed 1: " + gone +
+                                       ": there is no"));
     EXPECT_THAT(some.output, HasSubstr("1 of 2 runs failed; the quality file says why"));
-    const Outcome all = shell(study("--vary dmax=99 --runs 2 --out " + path("all")));
+    const Outcome all =
+        shell(study("--vary source.file=" + gone + " --runs 2 --out " + path("all")));
     EXPECT_EQ(all.status, 1);
-    EXPECT_THAT(all.output, HasSubstr("every run failed; the first: split_merge.dmax: 99"));
+    EXPECT_THAT(all.output, HasSubstr("every run failed; the first: " + gone));
+}
+
+TEST_F(StudyCommand, ValuesThatNoRunCanHaveAreRefusedBeforeAnyRuns) {
+    for (const auto& [values, words] :
+         {std::pair("p=5,0", "filter.particles: 0 is out of range"),
+          std::pair("dmax=0.02 --vary p=5,0.5", "filter.particles: \"0.5\""),
+          // Which depends on another one.
+          std::pair("filter.algorithm=ekf-slam --set association.new_probability=0.5",
+                    "association.new_probability: 0.5 is less than")}) {
+        const Outcome refused = shell(study("--runs 1 --out " + path("out") + " --vary " + values));
+        EXPECT_EQ(refused.status, 1) << values;
+        EXPECT_THAT(refused.output, HasSubstr(std::string("hitos-cli: ") + words));
+        EXPECT_THAT(refused.output, Not(HasSubstr("run failed")));
+        EXPECT_FALSE(exists(path("out"))) << values;
+    }
 }
 
 TEST_F(StudyCommand, BadInputEndsWithOneClearError) {

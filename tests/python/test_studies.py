@@ -92,9 +92,15 @@ class Studies(unittest.TestCase):
                 hitos.study("corridor", vary, out=self.folder / "s")
         self.assertFalse((self.folder / "s" / "quality.csv").exists())
 
+    def test_a_value_that_no_run_can_have_is_refused_before(self):
+        with self.assertRaisesRegex(hitos.ConfigurationError, "filter.particles: 0 is out of"):
+            hitos.study("corridor", {"filter.particles": [5, 0]}, runs=1, out=self.folder / "s")
+        self.assertFalse((self.folder / "s").exists())
+
     def test_runs_that_fail_all_say_why(self):
-        with self.assertRaisesRegex(hitos.Error, "every run failed.*particles"):
-            hitos.study("corridor", {"filter.particles": [0]}, runs=1, out=self.folder / "s")
+        with self.assertRaisesRegex(hitos.Error, "every run failed.*nowhere.log"):
+            hitos.study("corridor", {"source.file": [str(self.folder / "nowhere.log")]}, runs=1,
+                        out=self.folder / "s")
 
 
 if __name__ == "__main__":

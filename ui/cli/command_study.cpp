@@ -65,6 +65,7 @@ int study(StudyArguments options) {
     options.source.choose(study.configuration.source);
     for (const std::string& assignment : options.vary)
         study.parameters.push_back(parse_study_parameter(assignment));
+    check_values(study.configuration, study.parameters);
     study.layout = study_in_folder(options.out);
     apply(options.runs, options.reference, study);
     return conduct(study, options.runs, shard_of(options));

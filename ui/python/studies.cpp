@@ -180,6 +180,7 @@ std::shared_ptr<StudyTable> study_of(const py::object& tour, const py::dict& var
     for (const auto& [name, values] : vary) {
         study.parameters.push_back(parameter_of(key_of(name, "vary"), values));
     }
+    check_values(study.configuration, study.parameters);
     study.seeds = runs;
     study.first_seed = first_seed;
     study.pictures = parse_study_pictures(pictures, "pictures");

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <exception>
+#include <set>
+#include <utility>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
@@ -97,6 +100,31 @@ bool may_be_empty(const StudyParameter& parameter) {
 
 StudyParameter from_thesis(const ThesisParameter& thesis) {
     return {std::string(thesis.name), {thesis.keys.begin(), thesis.keys.end()}, {}};
+}
+
+void set_value(Configuracion& configuration, const StudyParameter& parameter,
+               const StudyValue& value) {
+    for (std::size_t i = 0; i < parameter.keys.size(); ++i)
+        find_parameter(parameter.keys[i]).set(configuration, value.at(i));
+}
+
+/// As check_values() has it, of one.
+void check_value(Configuracion configuration, const StudyParameter& parameter,
+                 const StudyValue& value, const StudyParameter* other) {
+    set_value(configuration, parameter, value);
+    if (other == nullptr) return check(configuration);
+    std::exception_ptr reason;
+    for (const StudyValue& beside : other->values) {
+        try {
+            Configuracion pair = configuration;
+            set_value(pair, *other, beside);
+            return check(pair);
+        } catch (const ConfigError& error) {
+            if (std::ranges::find(other->keys, error.key()) == other->keys.end())
+                reason = std::current_exception();
+        }
+    }
+    if (reason) std::rethrow_exception(reason);
 }
 
 }  // namespace
@@ -196,6 +224,34 @@ StudyParameter parse_study_parameter(std::string_view assignment) {
         parameter.values.emplace_back(parts.begin(), parts.end());
     }
     return parameter;
+}
+
+void check_values(const StudyParameter& parameter) {
+    std::set<StudyValue> there;
+    for (const StudyValue& value : parameter.values) {
+        Configuracion scratch;
+        set_value(scratch, parameter, value);
+        StudyValue texts;  // so that 0.020 and 2e-2 are one value
+        for (const std::string& key : parameter.keys)
+            texts.push_back(find_parameter(key).text(scratch));
+        const std::string words = fmt::format("{}", fmt::join(texts, ", "));
+        if (there.insert(std::move(texts)).second) continue;
+        throw ConfigError(parameter.name, HITOS_TEXT("Errors", "the value %1 is given twice"),
+                          words);
+    }
+}
+
+void check_values(const Configuracion& configuration, const StudyParameter& parameter,
+                  const StudyParameter* other) {
+    for (const StudyValue& value : parameter.values)
+        check_value(configuration, parameter, value, other);
+}
+
+void check_values(const Configuracion& configuration, std::span<const StudyParameter> parameters) {
+    if (parameters.size() == 1) return check_values(configuration, parameters[0], nullptr);
+    if (parameters.size() != 2) return;  // there is no such study
+    check_values(configuration, parameters[0], &parameters[1]);
+    check_values(configuration, parameters[1], &parameters[0]);
 }
 
 std::vector<std::string> expand_range(std::string_view range) {

@@ -6,7 +6,6 @@
 #include <QPushButton>
 #include <algorithm>
 #include <array>
-#include <exception>
 #include <thread>
 
 #include "hitos/base/error.hpp"
@@ -21,32 +20,6 @@
 
 namespace hitos::window {
 namespace {
-
-void set_value(Configuracion& configuration, const StudyParameter& parameter,
-               const StudyValue& value) {
-    for (std::size_t i = 0; i < parameter.keys.size(); ++i)
-        find_parameter(parameter.keys[i]).set(configuration, value[i]);
-}
-
-/// Throws ConfigError where the user's configuration cannot have the value with any value of the
-/// other parameter (null: there is none). What is wrong with the other one is told there.
-void try_value(Configuracion configuration, const StudyParameter& parameter,
-               const StudyValue& value, const StudyParameter* other) {
-    set_value(configuration, parameter, value);
-    if (other == nullptr) return check(configuration);
-    std::exception_ptr reason;
-    for (const StudyValue& beside : other->values) {
-        try {
-            Configuracion pair = configuration;
-            set_value(pair, *other, beside);
-            return check(pair);
-        } catch (const ConfigError& error) {
-            if (std::ranges::find(other->keys, error.key()) == other->keys.end())
-                reason = std::current_exception();
-        }
-    }
-    if (reason) std::rethrow_exception(reason);
-}
 
 /// As another session finds it, wherever that is started.
 QString whole(const QString& path) {
@@ -257,10 +230,7 @@ void StudyForm::read_values(Study& study) {
         if (!chosen.at(i)) continue;
         const auto& other = chosen.at(1 - i);
         try {
-            for (const StudyValue& value : chosen.at(i)->values) {
-                try_value(session_.configuration(), *chosen.at(i), value,
-                          other ? &*other : nullptr);
-            }
+            check_values(session_.configuration(), *chosen.at(i), other ? &*other : nullptr);
             study.parameters.push_back(*chosen.at(i));
         } catch (const Error& error) {
             const StudyRowFields& fields = rows_.at(i)->fields();

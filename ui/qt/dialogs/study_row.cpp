@@ -102,17 +102,24 @@ QString StudyRow::parameter() const {
     return text.section(kDash, 0, 0).trimmed();
 }
 
-/// Whole numbers and words have no decimal commas.
+/// Words have no decimal commas.
 QString StudyRow::values() const {
-    bool fractions = true;
+    return list_with_points(fields_.values->text(), made_of() != Made::words);
+}
+
+StudyRow::Made StudyRow::made_of() const {
+    using Type = ConfigParameter::Type;
+    Made made = Made::whole_numbers;
     try {
-        const auto& keys = find_study_parameter(parameter().toStdString()).keys;
-        fractions = std::ranges::any_of(keys, [](const std::string& key) {
-            return find_parameter(key).type == ConfigParameter::Type::real;
-        });
+        for (const std::string& key : find_study_parameter(parameter().toStdString()).keys) {
+            const Type type = find_parameter(key).type;
+            if (type == Type::real) return Made::fractions;
+            if (type != Type::integer) made = Made::words;
+        }
     } catch (const Error&) {  // half written
+        return Made::fractions;
     }
-    return list_with_points(fields_.values->text(), fractions);
+    return made;
 }
 
 bool StudyRow::names(const std::string& key) const {
@@ -121,6 +128,24 @@ bool StudyRow::names(const std::string& key) const {
 }
 
 StudyParameter StudyRow::parsed() const {
+    expect_no_comma();
+    StudyParameter read = readable();
+    check_values(read);
+    return read;
+}
+
+/// Throws ConfigError where "0,02" is written of whole numbers: it is neither one nor two.
+void StudyRow::expect_no_comma() const {
+    if (made_of() != Made::whole_numbers || !has_decimal_comma(fields_.values->text())) return;
+    throw ConfigError(parameter().toStdString(),
+                      HITOS_TEXT("Errors",
+                                 "found %1, and a comma is a decimal one here, while these are "
+                                 "whole numbers; part values by semicolons or blanks"),
+                      input::in_quotes(fields_.values->text().trimmed().toStdString()));
+}
+
+/// Throws hitos::Error of what nobody can read.
+StudyParameter StudyRow::readable() const {
     StudyParameter read = parse_study_parameter((parameter() + '=' + values()).toStdString());
     for (const StudyValue& value : read.values) {
         for (std::size_t i = 0; i < read.keys.size(); ++i)
@@ -151,6 +176,22 @@ void StudyRow::explain_parameter() {
     explain_values();
 }
 
+/// Throws hitos::Error of what nobody can read.
+QString StudyRow::words_of_values() const {
+    try {
+        expect_no_comma();
+    } catch (const Error& error) {
+        return words_of(error);
+    }
+    const StudyParameter read = readable();
+    try {
+        check_values(read);
+    } catch (const Error& error) {
+        return words_of(error);
+    }
+    return tr("Values: %1 (%2).").arg(read.values.size()).arg(in_words(read.values));
+}
+
 void StudyRow::explain_values() {
     QString words =
         decimal_comma()
@@ -158,10 +199,7 @@ void StudyRow::explain_values() {
             : tr("Values with commas, semicolons or blanks between them, or a range "
                  "from:to:step.");
     try {
-        if (!fields_.values->text().trimmed().isEmpty()) {
-            const auto values = parsed().values;
-            words = tr("Values: %1 (%2).").arg(values.size()).arg(in_words(values));
-        }
+        if (!fields_.values->text().trimmed().isEmpty()) words = words_of_values();
     } catch (const Error&) {
         // Perhaps just half written; read() tells.
     }

@@ -44,7 +44,8 @@ class StudyRow final : public QObject {
     bool in_use() const { return !optional_ || !parameter().isEmpty(); }
     /// Whether the parameter has that name, or sets the key.
     bool names(const std::string& key) const;
-    /// Throws hitos::Error, of values that nobody can read too.
+    /// Throws hitos::Error, of values that nobody can read, that their key cannot take or that are
+    /// there twice too.
     StudyParameter parsed() const;
 
   signals:
@@ -52,7 +53,13 @@ class StudyRow final : public QObject {
     void changed();
 
   private:
+    enum class Made { words, whole_numbers, fractions };
+
     void fill();
+    Made made_of() const;
+    void expect_no_comma() const;
+    StudyParameter readable() const;
+    QString words_of_values() const;
     void explain_parameter();
     void explain_values();
 

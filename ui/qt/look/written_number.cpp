@@ -133,6 +133,10 @@ std::optional<double> number_of(const QString& written) {
     return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
+bool has_decimal_comma(const QString& list) {
+    return decimal_comma() && list.contains(comma_between_digits());
+}
+
 QString list_with_points(const QString& list, bool fractions) {
     static const QRegularExpression around_parts(R"(\s*([:/])\s*)");
     static const QRegularExpression separators(R"(\s*[;,]\s*|\s+)");

@@ -38,6 +38,8 @@ class NumberBoxes final : public QObject {
 QString with_point(const QString& number);
 /// Nothing where it is none, or none that is finite.
 std::optional<double> number_of(const QString& written);
+/// Whether a list has a comma between digits where that is a decimal one.
+bool has_decimal_comma(const QString& list);
 /// As the library reads a list, with commas between its values. Semicolons and blanks are as good;
 /// where a comma is a decimal one, it is only between digits of `fractions`, and not in a list that
 /// has points and no semicolons: "0,5; 1,3", "0,5 1,3", "0.5, 1.3" and "0.5,1.3" are two values.

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "hitos/services/configuration/configuracion.hpp"
+
 namespace hitos {
 
 /// One value of a study's parameter: a text for each configuration key that it sets.
@@ -42,6 +44,16 @@ void set_values(StudyParameter& parameter, std::span<const std::string> words);
 /// Reads "name=v1,v2,…": each v a value or a range from:to:step, the components of a value that
 /// sets several keys joined by `/`. Whether a key can take a value is for each run to find.
 StudyParameter parse_study_parameter(std::string_view assignment);
+
+/// Throws ConfigError of a value that a key cannot take, whatever the other ones are, and of one
+/// that is there twice.
+void check_values(const StudyParameter& parameter);
+/// Throws ConfigError where the configuration cannot have one of the values with any value of the
+/// other parameter (null: there is none). What is wrong with the other one is not told.
+void check_values(const Configuracion& configuration, const StudyParameter& parameter,
+                  const StudyParameter* other);
+/// The same of each of one or two parameters.
+void check_values(const Configuracion& configuration, std::span<const StudyParameter> parameters);
 
 /// The values of from:to:step, both ends included, with as many decimals as `from` and `step`
 /// show, so that 0.1:0.3:0.1 ends with 0.3. Throws ConfigError where the range is empty, endless or
