@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "hitos/base/error.hpp"
 #include "hitos/base/text_input.hpp"
+#include "hitos/capture/archivo.hpp"
 #include "hitos/capture/scan_clock.hpp"
 #include "hitos/registration/graph_edit.hpp"
 #include "hitos/services/configuration/archivo_configuracion.hpp"
@@ -32,6 +34,16 @@ void add_those_of_map(Configuracion& configuration) {
         if (std::ranges::none_of(std::span(all).first(of_file), other)) all.push_back(edit);
     }
     configuration.registration.edits = text_of(all);
+}
+
+/// Also of one that cannot be read, as whoever opens it is told.
+bool may_be_recording(const std::string& file) {
+    if (is_world_file(file)) return false;
+    try {
+        return recording_format(file) != nullptr;
+    } catch (const Error&) {
+        return true;
+    }
 }
 
 }  // namespace
@@ -114,6 +126,32 @@ void TopicChoices::choose(SourceParams& source) const {
     }
     source.read.scan_delay_s = of_clock ? 0.0 : *number;
     source.read.scan_clock = of_clock ? scan_delay : "";
+}
+
+void expect_used(const ValueChoices& values, const TopicChoices& topics,
+                 const std::vector<std::string>& sources) {
+    bool recording = false;
+    bool world = false;
+    for (const std::string& file : sources) {
+        std::error_code ignored;
+        const bool there = std::filesystem::exists(file, ignored);
+        recording = recording || !there || may_be_recording(file);
+        world = world || !there || is_world_file(file);
+    }
+    const std::string& first = sources.front();
+    const auto expect = [](bool used, const char* option, bool given, const Message& problem) {
+        if (given && !used) throw ConfigError(option, problem);
+    };
+    const Message of_recordings =
+        message(HITOS_TEXT("Errors", "is of ROS recordings, and %1 is none; leave it out"), first);
+    const Message of_worlds = message(
+        HITOS_TEXT("Errors", "is of worlds, which are simulated, and %1 is none; leave it out"),
+        first);
+    expect(recording, "--scan-topic", !topics.scan_topic.empty(), of_recordings);
+    expect(recording, "--odom-topic", !topics.odom_topic.empty(), of_recordings);
+    expect(recording, "--same-frames", !topics.same_frames.empty(), of_recordings);
+    expect(world, "--world-set", !values.world_assignments.empty(), of_worlds);
+    expect(world, "--tour-seed", values.tour_seed.has_value(), of_worlds);
 }
 
 std::string complaint_of_seed(const std::string& text) {

@@ -305,6 +305,47 @@ TEST_F(CommandLine, AWrongCommandLineHasAStatusOfItsOwn) {
     EXPECT_EQ(shell(cli_ + " info " + path("none.log")).status, 1);
 }
 
+TEST_F(CommandLine, OptionsThatTheSourceDoesNotHeedAreRefused) {
+    const auto expect = [&](const std::string& command, const std::string& words) {
+        const Outcome refused = shell(cli_ + " " + command);
+        EXPECT_EQ(refused.status, 1) << command;
+        EXPECT_THAT(refused.output, HasSubstr("hitos-cli: " + words)) << command;
+        EXPECT_FALSE(std::filesystem::exists(path("out"))) << command;
+    };
+    const std::string out = " --out " + path("out");
+    const std::string no_recording = ": is of ROS recordings, and ";
+    const std::string no_world = ": is of worlds, which are simulated, and " + short_log_;
+    for (const std::string command : {"run ", "info ", "check "}) {
+        const std::string end = command == "run " ? out : "";
+        for (const std::string option : {"--scan-topic", "--odom-topic", "--same-frames"}) {
+            expect(command + short_log_ + end + " " + option + " x=y",
+                   option + no_recording + short_log_);
+            expect(command + "corridor" + end + " " + option + " x=y", option + no_recording);
+        }
+        expect(command + short_log_ + end + " --world-set laser.sigma=0", "--world-set" + no_world);
+        expect(command + short_log_ + end + " --tour-seed 3", "--tour-seed" + no_world);
+    }
+    expect("convert " + short_log_ + " --to carmen --scan-topic x" + out,
+           "--scan-topic" + no_recording);
+    expect("study " + short_log_ + " --vary p=3 --tour-seed 3" + out, "--tour-seed" + no_world);
+    expect("run " + short_log_ + " --tolerance 1" + out,
+           "--tolerance: is of the stamps of a reference trajectory, and there is none");
+    // A log that is not there is told as that.
+    expect("run nosuch.log --tour-seed 3" + out, "nosuch.log: there is no such file");
+    // What a configuration says beside is for whatever source there is.
+    folder_.put("c.cfg", "[source]\nscan_topic = \"/x\"\ntour_seed = 3\n[filter]\nparticles = 2\n");
+    EXPECT_EQ(shell(cli_ + " run " + short_log_ + " --config " + path("c.cfg") + out).status, 0);
+    EXPECT_EQ(shell(cli_ + " run corridor --tolerance 1 --tour-seed 3 --set filter.particles=2" +
+                    " --world-set laser.rate=2 --out " + path("world"))
+                  .status,
+              0);
+    EXPECT_EQ(shell(cli_ + " study " + short_log_ + " --vary source.file=" + short_log_ + "," +
+                    kSource + "/data/worlds/corridor.toml --tour-seed 3 --runs 1 --set " +
+                    "filter.particles=2 --out " + path("study"))
+                  .status,
+              0);
+}
+
 TEST_F(CommandLine, ASeedBelowZeroIsNoGreatOne) {
     for (const char* command : {"run", "convert", "study", "simulate"}) {
         const Outcome outcome =

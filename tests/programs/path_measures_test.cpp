@@ -230,6 +230,19 @@ TEST_F(PathMeasures, RefuseNumbersThatAreNone) {
     }
 }
 
+TEST_F(PathMeasures, RefuseOptionsOfWhatIsNotMeasured) {
+    for (const char* wrong : {"--rpe-consecutive", "--rpe-slack 0.2"}) {
+        const Outcome outcome = shell(both_ + " " + wrong);
+        EXPECT_EQ(outcome.status, 1) << wrong;
+        EXPECT_THAT(outcome.output, HasSubstr("are of the pairs of --rpe-distance and --rpe-time"))
+            << wrong;
+    }
+    const Outcome outcome =
+        shell(cli_ + " evaluate --map " + map_ + " --reference " + map_ + " --tolerance 1");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.output, HasSubstr("--tolerance is of the stamps of "));
+}
+
 TEST_F(PathMeasures, AndComparisonsNeverTakeThePlaceOfAnInput) {
     const std::string relations = path("relations.csv");
     ASSERT_EQ(shell(fmt::format("{} relations {} --out {}", cli_, truth_, relations)).status, 0);

@@ -42,6 +42,7 @@ void convert(const ConvertOptions& options) {
     const std::string target = checked_target_format(options.to, "--to");
     SourceParams source;
     source.file = input_named(options.log, "log");
+    expect_used({}, options.source.topics, {source.file});
     options.source.choose(source);
     // What is written is mended by who reads it, where the format can say what is needed for it.
     source.read.mend = log_formats().find(target).ray_times ? Mend::nothing : Mend::rays;

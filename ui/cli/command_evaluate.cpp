@@ -46,7 +46,9 @@ struct EvaluateOptions {
     std::optional<double> rpe_distance_m;
     std::optional<double> rpe_time_s;
     PairSpacing rpe;
+    CLI::Option* rpe_slack = nullptr;
     double tolerance_s = kSameStamp;
+    CLI::Option* tolerance = nullptr;
     bool json = false;
 };
 
@@ -265,6 +267,17 @@ void check_choices(const EvaluateOptions& options) {
     if ((options.rpe_distance_m || options.rpe_time_s) && !by_reference) {
         refuse("--rpe-distance and --rpe-time need --reference-trajectory");
     }
+    const bool spaced = options.rpe.consecutive || options.rpe_slack->count() > 0;
+    if (spaced && !options.rpe_distance_m && !options.rpe_time_s) {
+        refuse(
+            "--rpe-consecutive and --rpe-slack are of the pairs of --rpe-distance and --rpe-time; "
+            "give one of these too");
+    }
+    if (options.tolerance->count() > 0 && !of_path) {
+        refuse(
+            "--tolerance is of the stamps of --reference-trajectory and --relations; give one of "
+            "these too");
+    }
     if (options.trajectory.empty() == of_path) {
         refuse(of_path ? "--reference-trajectory and --relations need --trajectory"
                        : "--trajectory needs --reference-trajectory or --relations");
@@ -346,8 +359,8 @@ void add_evaluate(CLI::App& program) {
         ->add_option("--rpe-time", options->rpe_time_s,
                      "Relative pose error over so much time [s], likewise")
         ->check(positive());
-    add_spacing_options(*command, "rpe-", options->rpe);
-    add_tolerance_option(*command, options->tolerance_s);
+    options->rpe_slack = add_spacing_options(*command, "rpe-", options->rpe);
+    options->tolerance = add_tolerance_option(*command, options->tolerance_s);
     add_report_option(*command, options->json);
     command->callback([options] { evaluate(*options); });
 }

@@ -143,6 +143,7 @@ std::size_t tell_findings(const TourSummary& tour, Report& report) {
 }
 
 SourceInspection inspected(const InfoOptions& options, const std::string& source) {
+    expect_used(options.configuration.values, options.source.topics, {source});
     Configuracion configuration = load(options.configuration, {});  // no preset is about the source
     configuration.source.file = source;
     options.source.choose(configuration.source);

@@ -56,6 +56,7 @@ struct RunOptions {
     std::string reference;
     std::string reference_trajectory;
     double tolerance_s = kSameStamp;
+    CLI::Option* tolerance = nullptr;
     std::string distances;
     std::string figures;
     std::string hashes;
@@ -223,6 +224,7 @@ void run(const RunOptions& options, std::optional<LiveRun>& live) {
         opening = wanted.read;
     }
     const std::string source = live ? live->file() : source_named(input_named(options.log, "log"));
+    expect_used(options.configuration.values, options.source.topics, {source});
     const std::string_view suited = suited_preset(options.configuration, source);
     Configuracion configuration = load(options.configuration, suited);
     fmt::print(stderr, "{}", suited_words(suited, source));
@@ -242,6 +244,11 @@ void run(const RunOptions& options, std::optional<LiveRun>& live) {
     const std::vector<std::string> also = chosen_outputs(options.write, "--write");
     References references = references_named(options.reference, options.reference_trajectory);
     references.tolerance_s = options.tolerance_s;
+    // A world has its true path.
+    if (options.tolerance->count() > 0 && !references.trajectory && !is_world_file(source)) {
+        throw ConfigError("--tolerance", verbatim("is of the stamps of a reference trajectory, and "
+                                                  "there is none; give --reference-trajectory"));
+    }
     if (!options.distances.empty())
         references.distances = read_distances(input_named(options.distances, "--distances"));
     const std::vector<std::filesystem::path> tour = tour_files(configuration.source);
@@ -429,7 +436,7 @@ void add_run(CLI::App& program) {
     command->add_option("--reference-trajectory", options->reference_trajectory,
                         "Reference trajectory in TUM format to measure the path against and to "
                         "draw beside it (default for a world: the true one)");
-    add_tolerance_option(*command, options->tolerance_s);
+    options->tolerance = add_tolerance_option(*command, options->tolerance_s);
     command->add_option("--distances", options->distances,
                         "Named distances between parallel walls (docs/formats.md) to measure in "
                         "the map: printed, and in distances.csv");

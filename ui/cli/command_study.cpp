@@ -63,8 +63,14 @@ int study(StudyArguments options) {
     fmt::print(stderr, "{}", suited_words(suited, source));
     study.configuration.source.file = source;
     options.source.choose(study.configuration.source);
-    for (const std::string& assignment : options.vary)
-        study.parameters.push_back(parse_study_parameter(assignment));
+    std::vector<std::string> sources{source};
+    for (const std::string& assignment : options.vary) {
+        const StudyParameter& varied =
+            study.parameters.emplace_back(parse_study_parameter(assignment));
+        if (varied.keys.front() != "source.file") continue;
+        for (const StudyValue& value : varied.values) sources.push_back(value.front());
+    }
+    expect_used(options.configuration.values, options.source.topics, sources);
     check_values(study.configuration, study.parameters);
     study.layout = study_in_folder(options.out);
     apply(options.runs, options.reference, study);

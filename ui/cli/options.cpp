@@ -140,8 +140,8 @@ std::string allowed_threads() {
     return find_parameter("run.threads").allowed();
 }
 
-void add_tolerance_option(CLI::App& command, double& tolerance_s) {
-    command
+CLI::Option* add_tolerance_option(CLI::App& command, double& tolerance_s) {
+    return command
         .add_option("--tolerance", tolerance_s,
                     "Greatest difference of the stamps of a pose and its reference [s] (default: "
                     "0.02); between poses of a reference trajectory that are no more than twice as "

@@ -25,7 +25,7 @@ CLI::Validator non_negative();
 std::string allowed_threads();
 
 /// --tolerance, of trajectory_error().
-void add_tolerance_option(CLI::App& command, double& tolerance_s);
+CLI::Option* add_tolerance_option(CLI::App& command, double& tolerance_s);
 
 /// --config, --preset and those of ValueChoices.
 struct ConfigurationOptions {

@@ -44,6 +44,13 @@ struct TopicChoices {
     void choose(SourceParams& source) const;
 };
 
+/// Throws ConfigError where a choice is given that none of the sources heeds: --scan-topic,
+/// --odom-topic and --same-frames are of ROS recordings, --world-set and --tour-seed of worlds.
+/// What a configuration says beside them is for whatever source there is. Of one that is not there
+/// whoever opens it is told.
+void expect_used(const ValueChoices& values, const TopicChoices& topics,
+                 const std::vector<std::string>& sources);
+
 /// What is wrong with the text of a seed; empty: nothing. A number with a sign would else be taken
 /// for a very great one.
 std::string complaint_of_seed(const std::string& text);
