@@ -216,8 +216,8 @@ TEST_F(ResultsFolder, OfAFinishedRunIsNotGivenUpForAStoppedOne) {
         for (double delay = 0.4; stopped.output.find(": these ") == std::string::npos &&
                                  stopped.output.find("keeps the results") == std::string::npos;
              delay *= 2.0) {
-            stopped = shell(
-                fmt::format("timeout --preserve-status -s {} {} {}", signal, delay, other));
+            stopped =
+                shell(fmt::format("timeout --preserve-status -s {} {} {}", signal, delay, other));
             ASSERT_EQ(stopped.status, status) << stopped.output;
         }
         EXPECT_THAT(stopped.output,
@@ -290,6 +290,18 @@ TEST_F(ResultsFolder, IsWholeWhereARequestTakesTooLong) {
         EXPECT_TRUE(cut_short()) << ended.output;
         EXPECT_EQ(left(), std::vector<std::string>());
     }
+}
+
+TEST_F(ResultsFolder, ALogWhoseNameNoTextCanHoldIsWarnedOf) {
+    folder_.put("bad\xff.log.gz", content(log_));
+    const std::string options = " --set filter.particles=2 --config " + config_ + " --out ";
+    const Outcome bad =
+        shell(cli_ + " run '" + path("bad\xff.log.gz") + "'" + options + path("out"));
+    EXPECT_EQ(bad.status, 0);
+    EXPECT_THAT(bad.output, HasSubstr("is no UTF-8, which config.cfg has to be"));
+    EXPECT_THAT(bad.output, HasSubstr("Rename it and run it again"));
+    EXPECT_EQ(shell(cli_ + " run " + log_ + options + path("good")).output.find("UTF-8"),
+              std::string::npos);
 }
 
 TEST_F(ResultsFolder, ALogThatCannotBeReadLeavesNoFolder) {

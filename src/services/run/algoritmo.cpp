@@ -13,6 +13,7 @@
 #include "hitos/features/extractor.hpp"
 #include "hitos/slam/association_record.hpp"
 #include "hitos/slam/filters.hpp"
+#include "json_input.hpp"
 
 namespace hitos {
 namespace {
@@ -270,6 +271,14 @@ std::vector<Advice> Algoritmo::advice() const {
                         "This is the recording of a robot (%1), and its scans are not registered: "
                         "with registration maps of buildings come out right."),
              reader_->format(), "recorded"});
+    }
+    if (!is_utf8(configuration_.source.file)) {
+        advice.push_back({HITOS_TEXT("Advice",
+                                     "The log's name (%1) is no UTF-8, which config.cfg has to be: "
+                                     "what opens these results later will not find the log. Rename "
+                                     "it and run it again."),
+                          in_utf8(configuration_.source.file),
+                          {}});
     }
     return advice;
 }
