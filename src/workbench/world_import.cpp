@@ -170,11 +170,16 @@ std::vector<Polyline> walls_of_picture(const OccupancyPicture& picture, double t
     return rounded(trace_walls(picture, options));
 }
 
-std::vector<Polyline> walls_of_map_server(const std::filesystem::path& file, double tolerance_m,
-                                          ImportReport* report) {
-    OccupancyPicture picture = read_map_server(file);
+std::vector<Polyline> walls_of_map_server(const std::filesystem::path& file,
+                                          const ImportOptions& options, ImportReport* report) {
+    const OccupancyPicture picture = read_map_server(file);
     if (report != nullptr && !picture.note.empty()) report->notes.push_back(picture.note);
-    return walls_of_picture(picture, tolerance_m);
+    const Pose start = options.start.value_or(Pose{});
+    const Message doubt = doubt_of_negate(picture, {start.x, start.y});
+    if (report != nullptr && !doubt.empty()) report->warnings.push_back(doubt);
+    std::vector<Polyline> walls = walls_of_picture(picture, options.tolerance_m);
+    if (walls.empty() && !doubt.empty()) throw FormatError(file.string(), 0, doubt);
+    return walls;
 }
 
 /// What stands behind the word in the block of a world of Stage, in quotes or brackets; empty where
@@ -260,7 +265,7 @@ std::vector<Polyline> import_walls(const std::filesystem::path& source,
             walls = walls_of_map(source, options.tolerance_m, report);
             break;
         case WallSource::map_server:
-            walls = walls_of_map_server(source, options.tolerance_m, report);
+            walls = walls_of_map_server(source, options, report);
             break;
         case WallSource::picture:
             walls = walls_of_picture(picture_of(source, options.resolution_m), options.tolerance_m);

@@ -75,6 +75,24 @@ TEST_F(WorldCommand, TheGridOfARunThroughBigloopGivesItsWalls) {
     EXPECT_LE(furthest(read_world(path("segments.toml")), truth), kMapError);
 }
 
+TEST_F(WorldCommand, AMapWhoseNegateIsWrongIsWarnedOf) {
+    std::string pixels(1600, static_cast<char>(205));
+    for (int row = 5; row < 35; ++row) {
+        for (int column = 5; column < 35; ++column) {
+            const bool wall = row == 5 || row == 34 || column == 5 || column == 34;
+            pixels[static_cast<std::size_t>(row * 40 + column)] = static_cast<char>(wall ? 0 : 254);
+        }
+    }
+    file("room.pgm", "P5\n40 40\n255\n" + pixels);
+    const std::string yaml = "image: room.pgm\nresolution: 0.1\norigin: [-2, -2, 0]\nnegate: ";
+    const auto warnings = [&](const char* negate) {
+        const std::string source = file("room.yaml", yaml + negate + "\n");
+        return object(source + " --start 0,0,0 --out " + path("w.toml")).at("warnings").size();
+    };
+    EXPECT_EQ(warnings("0"), 0U);
+    EXPECT_EQ(warnings("1"), 1U);
+}
+
 TEST_F(WorldCommand, TheMapOfBigloopIsBigloop) {
     const json said = object(map_ + " --start 1,0.5,90 --out " + path("w.toml"));
     EXPECT_EQ(said.at("walls"), 8);

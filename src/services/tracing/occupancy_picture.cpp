@@ -129,6 +129,14 @@ class MapServerFile {
             list.remove_prefix(comma == std::string_view::npos ? list.size() : comma + 1);
         }
         if (!good) refuse("origin", entry, "[x, y, yaw] in metres and radians");
+        if (std::abs(values[2]) > 2.0 * kPi) {
+            throw FormatError(
+                path_.string(), entry.line,
+                HITOS_TEXT("Errors",
+                           "origin: found a yaw of %1, which is more than a turn in radians; if "
+                           "it is in degrees, write %2"),
+                values[2], fmt::format("{:.6g}", values[2] * (kPi / 180.0)));
+        }
         return {values[0], values[1], wrap_angle(values[2])};
     }
 
@@ -175,6 +183,12 @@ class MapServerFile {
         }
         const std::string_view key = input::unquoted(input::trimmed(content.substr(0, colon)));
         Entry& entry = entries_[std::string(key)];
+        if (entry.line > 0) {
+            throw FormatError(
+                path_.string(), number,
+                HITOS_TEXT("Errors", "%1 stands in line %2 already; leave one of them out"),
+                input::in_quotes(key), entry.line);
+        }
         entry = {std::string(input::trimmed(content.substr(colon + 1))), number};
         return entry;
     }
@@ -221,7 +235,16 @@ OccupancyPicture read_map_server(const std::filesystem::path& yaml) {
     const Pose origin = file.origin();
     const bool negate = file.flag("negate");
     const double from = file.number("occupied_thresh", kOccupiedFrom, 0, 1);
-    file.number("free_thresh", kFreeBelow, 0, 1);
+    const double below = file.number("free_thresh", kFreeBelow, 0, 1);
+    const Entry* const occupied_said = file.find("occupied_thresh");
+    const Entry* const free_said = file.find("free_thresh");
+    if (occupied_said != nullptr && free_said != nullptr && from <= below) {
+        throw FormatError(yaml.string(), occupied_said->line,
+                          HITOS_TEXT("Errors",
+                                     "occupied_thresh: found %1, expected more than free_thresh, "
+                                     "which is %2 in line %3; are they the wrong way round?"),
+                          from, below, free_said->line);
+    }
     std::string mode = "trinary";
     if (const Entry* said = file.find("mode")) {
         mode = input::unquoted(said->value);
@@ -240,10 +263,62 @@ OccupancyPicture read_map_server(const std::filesystem::path& yaml) {
         return (negate ? pixel : 255.0 - pixel) / 255.0 > from;
     };
     OccupancyPicture picture = occupancy(mean, is_wall);
+    if (mode != "raw") {  // which knows no negate
+        const auto is_free = [&](double pixel, double alpha, bool negated) {
+            if (mode == "scale" && alpha < kOpaque) return false;
+            if (mode == "trinary" && has_alpha) pixel = (3.0 * pixel + alpha) / 4.0;
+            return (negated ? pixel : 255.0 - pixel) / 255.0 < below;
+        };
+        const auto free = [&](bool negated) {
+            return occupancy(mean, [&](double pixel,
+                                       double alpha) { return is_free(pixel, alpha, negated); })
+                .occupied;
+        };
+        picture.free = free(negate);
+        picture.free_otherwise = free(!negate);
+        const Entry* const said = file.find("negate");
+        picture.negate_line = said == nullptr ? 0 : said->line;
+        picture.negate = negate;
+    }
     picture.note = file.note;
     picture.resolution_m = resolution;
     picture.origin = origin;
     return picture;
+}
+
+Message doubt_of_negate(const OccupancyPicture& picture, const Point2& start) {
+    constexpr double kHardlyAny = 0.02;  // shares of the picture
+    constexpr double kPlenty = 0.1;
+    if (picture.free.empty()) return {};
+    const auto share = [&](const std::vector<std::uint8_t>& of) {
+        return static_cast<double>(std::ranges::count(of, 1)) / static_cast<double>(of.size());
+    };
+    const double now = share(picture.free);
+    const double otherwise = share(picture.free_otherwise);
+    if (otherwise <= now || otherwise < kPlenty) return {};
+    const Point2 inside = transform(inverse(picture.origin), start);
+    const double column = std::floor(inside.x / picture.resolution_m);
+    const double row = picture.rows - 1.0 - std::floor(inside.y / picture.resolution_m);
+    bool on_it = false;  // and only otherwise on free ground
+    if (column >= 0.0 && column < picture.columns && row >= 0.0 && row < picture.rows) {
+        const std::size_t cell =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.columns) +
+            static_cast<std::size_t>(column);
+        on_it = picture.free[cell] == 0 && picture.free_otherwise[cell] != 0;
+    }
+    if (!on_it && now >= kHardlyAny) return {};
+    const auto percent = [](double of) { return fmt::format("{:.0f} %", 100.0 * of); };
+    const int other = picture.negate ? 0 : 1;
+    if (picture.negate_line == 0) {
+        return message(HITOS_TEXT("Errors",
+                                  "the file has no negate, which may be wrong: by it %1 of the "
+                                  "picture is free ground, with negate: %2 it would be %3"),
+                       percent(now), other, percent(otherwise));
+    }
+    return message(HITOS_TEXT("Errors",
+                              "negate in line %1 may be the wrong way round: by it %2 of the "
+                              "picture is free ground, with negate: %3 it would be %4"),
+                   picture.negate_line, percent(now), other, percent(otherwise));
 }
 
 OccupancyPicture read_wall_picture(const std::filesystem::path& path, double resolution_m) {

@@ -19,6 +19,12 @@ struct OccupancyPicture {
     double resolution_m = 0.05;          ///< of a cell
     Pose origin;                         ///< lower left corner of the lower left cell [m, rad]
     Message note;                        ///< of a picture that is not where the YAML file says
+    /// Of a YAML file of a mode that knows negate: which cells are free, and which would be with
+    /// the other value of negate, which stands in that line (0: in none).
+    std::vector<std::uint8_t> free = {};
+    std::vector<std::uint8_t> free_otherwise = {};
+    bool negate = false;
+    std::uint64_t negate_line = 0;
 
     bool at(int column, int row) const {
         return column >= 0 && row >= 0 && column < columns && row < rows &&
@@ -41,6 +47,10 @@ struct OccupancyPicture {
 /// where the file says is looked for beside it. Throws FileError, or FormatError that names file,
 /// line and what was expected.
 OccupancyPicture read_map_server(const std::filesystem::path& yaml);
+
+/// That `negate` may be the wrong way round: where hardly anything is free, or the start (in the
+/// map's frame) is not, and with its other value more of the picture is. Else empty.
+Message doubt_of_negate(const OccupancyPicture& picture, const Point2& start);
 
 /// A picture of walls darker than 35 % grey, a pixel so many metres, its lower left corner at the
 /// origin. Throws FileError, FormatError, and ConfigError for a size that no pixel has.

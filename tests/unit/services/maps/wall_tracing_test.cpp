@@ -206,6 +206,12 @@ const std::string kYaml =
     "image: room.png\nresolution: 0.1\norigin: [1, 2, 0.5]  # lower left\nnegate: 0\n"
     "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
 
+/// The same with another value.
+std::string yaml_with(const std::string& key, const std::string& value) {
+    const std::size_t at = kYaml.find(key + ": ");
+    return kYaml.substr(0, at) + key + ": " + value + kYaml.substr(kYaml.find('\n', at));
+}
+
 /// Greys from dark to light, one row.
 void put_picture(const TempFolder& folder) {
     write_picture(Grid::Picture{4, 1, {0, 80, 100, 255}}, folder / "room.png");
@@ -219,8 +225,8 @@ TEST(OccupancyPicture, FollowsTheRulesOfMapServer) {
     };
     using Cells = std::vector<std::uint8_t>;
     EXPECT_EQ(cells(kYaml), (Cells{1, 1, 0, 0}));
-    EXPECT_EQ(cells(kYaml + "negate: 1\n"), (Cells{0, 0, 0, 1}));
-    EXPECT_EQ(cells(kYaml + "occupied_thresh: 0.6\n"), (Cells{1, 1, 1, 0}));
+    EXPECT_EQ(cells(yaml_with("negate", "1")), (Cells{0, 0, 0, 1}));
+    EXPECT_EQ(cells(yaml_with("occupied_thresh", "0.6")), (Cells{1, 1, 1, 0}));
     EXPECT_EQ(cells(kYaml + "mode: raw\n"), (Cells{0, 1, 1, 0}));
     const OccupancyPicture picture = read_map_server(folder / "room.yaml");
     EXPECT_EQ(picture.resolution_m, 0.1);
@@ -254,6 +260,42 @@ TEST(OccupancyPicture, IsReadAsLibrariesAndPeopleWriteIt) {
     const auto ones = read_map_server(folder.put(
         "a.yaml", "image: \"it's #1.png\" # 'old'\nresolution: 0.1\norigin: [0, 0, 0]\n"));
     EXPECT_EQ(ones.occupied, (std::vector<std::uint8_t>{1}));
+}
+
+// A room as map_server saves it: walls of 0 round ground of 254, unknown 205 round them.
+TEST(OccupancyPicture, ANegateThatIsTheWrongWayRoundIsDoubted) {
+    TempFolder folder;
+    Grid::Picture room{40, 40, std::vector<std::uint8_t>(1600, 205)};
+    for (int row = 5; row < 35; ++row) {
+        for (int column = 5; column < 35; ++column) {
+            const bool wall = row == 5 || row == 34 || column == 5 || column == 34;
+            room.grey[static_cast<std::size_t>(row * 40 + column)] = wall ? 0 : 254;
+        }
+    }
+    const auto doubt = [&](const std::string& yaml, const Point2& start) {
+        write_picture(room, folder / "room.png");
+        return doubt_of_negate(read_map_server(folder.put("room.yaml", yaml)), start).english();
+    };
+    const std::string good = yaml_with("origin", "[0, 0, 0]");
+    const std::string bad =
+        "image: room.png\nresolution: 0.1\norigin: [0, 0, 0]\nnegate: 1\nfree_thresh: 0.196\n";
+    const Point2 ground{2.0, 2.0};
+    const Point2 wall{0.55, 2.0};
+    EXPECT_EQ(doubt(good, ground), "");
+    EXPECT_EQ(doubt(good, wall), "");
+    EXPECT_EQ(doubt(good, {-5.0, 2.0}), "");
+    EXPECT_EQ(doubt(bad, ground),
+              "negate in line 4 may be the wrong way round: by it 7 % of the picture is free "
+              "ground, with negate: 0 it would be 49 %");
+    EXPECT_EQ(doubt(bad, wall), "");  // the walls are free then
+    EXPECT_EQ(doubt(bad + "mode: raw\n", ground), "");
+    // A picture that is negated, and nobody has said so.
+    for (std::uint8_t& grey : room.grey) grey = static_cast<std::uint8_t>(255 - grey);
+    const std::string silent = "image: room.png\nresolution: 0.1\norigin: [0, 0, 0]\n";
+    EXPECT_EQ(doubt(silent, ground),
+              "the file has no negate, which may be wrong: by it 7 % of the picture is free "
+              "ground, with negate: 1 it would be 49 %");
+    EXPECT_EQ(doubt(silent + "negate: 1\n", ground), "");
 }
 
 // Black, white and grey of 80, each opaque, half transparent and wholly.
@@ -297,6 +339,14 @@ TEST(OccupancyPicture, WhatCannotBeIsToldWithFileAndLine) {
            "room.yaml:2: resolution: found \"much\", expected 0.0001 to 10");
     expect(refusal("image: room.png\nresolution: 0.1\norigin: [0, 0]\n"),
            "room.yaml:3: origin: found \"[0, 0]\", expected [x, y, yaw]");
+    expect(refusal(yaml_with("origin", "[0, 0, 90]")),
+           "room.yaml:3: origin: found a yaw of 90, which is more than a turn in radians; if it is "
+           "in degrees, write 1.5708");
+    expect(refusal(kYaml + "# again\nnegate: 1\n"),
+           "room.yaml:8: \"negate\" stands in line 4 already");
+    expect(refusal(yaml_with("free_thresh", "0.65")),
+           "room.yaml:5: occupied_thresh: found 0.65, expected more than free_thresh, which is "
+           "0.65 in line 6");
     expect(refusal(kYaml + "mode: other\n"), "expected trinary, scale or raw");
     expect(refusal("no yaml"), "room.yaml:1: found \"no yaml\", expected key: value");
     folder.put("bad.png", "no picture");
