@@ -326,8 +326,28 @@ void ViewTest::a_figure_in_pdf_has_its_letters() {
     wish.layers = paper.shown;
     QVERIFY(paper.for_print);
     QVERIFY(paper.picture(wish).shapes("svg").contains("odometry"));
+    // Their program's title is the source's name, as in map.pdf; what is written above is another.
+    QVERIFY(paper.picture(wish).shapes("svg").contains("<title>bigloop.log.gz</title>"));
+    wish.title = "Above";
+    QVERIFY(paper.picture(wish).shapes("svg").contains("<title>bigloop.log.gz</title>"));
     wish.layers.set(Layer::odometry, false);
     QVERIFY(!paper.picture(wish).shapes("svg").contains("odometry"));
+    // A layer is named by what is drawn.
+    QCOMPARE(paper.uncertainty, QString("Uncertainty (2 σ)"));
+    QVERIFY(paper.picture(wish).shapes("svg").contains("uncertainty, 2 σ"));
+    ExportDialog dialog(all.front(), f.files.settings(), f.window.get());
+    const auto layers_of = [&dialog](int offer) {
+        auto* what = dialog.findChild<QComboBox*>("export_part");
+        what->setCurrentIndex(offer);
+        QStringList names;
+        const auto* list = dialog.findChild<QListWidget*>("export_layers");
+        for (int i = 0; i < list->count(); ++i) names << list->item(i)->text();
+        return names;
+    };
+    QVERIFY(layers_of(0).contains("Uncertainty (1, 2, 3 σ)"));
+    const QStringList paper_layers = layers_of(static_cast<int>(all.front().offers.size()) - 1);
+    QVERIFY(paper_layers.contains("Uncertainty (2 σ)"));
+    QVERIFY(!paper_layers.contains("Uncertainty (1, 2, 3 σ)"));
 }
 
 void ViewTest::what_was_wished_is_wished_again() {

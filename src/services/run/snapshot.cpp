@@ -17,6 +17,7 @@ ParticleDetails details_of(const Algoritmo& run, std::size_t hypothesis) {
 Snapshot snapshot_of(const Algoritmo& run, const SnapshotParts& parts) {
     Snapshot snapshot;
     snapshot.parts = parts;
+    snapshot.source = run.reader().name();
     snapshot.steps = run.steps();
     snapshot.revision = run.revision();
     snapshot.scan = run.scan();

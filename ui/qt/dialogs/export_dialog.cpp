@@ -190,7 +190,8 @@ void ExportDialog::choose_offer() {
     const FigureOffer& chosen = offer();
     layers_->clear();
     for (const LayerInfo& info : kLayerTable) {
-        const QString name = layer_name(info, chosen.particles);
+        const bool other = info.layer == Layer::uncertainty && !chosen.uncertainty.isEmpty();
+        const QString name = other ? chosen.uncertainty : layer_name(info, chosen.particles);
         if (name.isEmpty() || !chosen.layers.has(info.layer)) continue;
         auto* item = new QListWidgetItem(name, layers_);
         item->setData(Qt::UserRole, static_cast<int>(info.layer));

@@ -37,11 +37,12 @@ struct FigureOffer {
     double paper_mm = 85.0;  ///< as wide as a column
     bool legend = false;     ///< whether it can have one, and axes that can be left out
     bool axes = false;
-    bool plain = false;      ///< no title, and letters as large as the picture makes them
-    bool for_print = false;  ///< it has letters of its own, and a size on paper
-    bool particles = false;  ///< for the names of layers
-    LayerSet layers = {};    ///< that it can draw,
-    LayerSet shown = {};     ///< and that it draws at first
+    bool plain = false;        ///< no title, and letters as large as the picture makes them
+    bool for_print = false;    ///< it has letters of its own, and a size on paper
+    bool particles = false;    ///< for the names of layers
+    QString uncertainty = {};  ///< the name of that layer; empty: as the views draw it
+    LayerSet layers = {};      ///< that it can draw,
+    LayerSet shown = {};       ///< and that it draws at first
     /// Throws hitos::Error.
     std::function<Picture(const FigureWish&)> picture;
 

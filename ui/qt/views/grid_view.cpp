@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -17,8 +18,8 @@ constexpr double kPaperWidth = 85.0;  // mm
 
 /// The figure that a run's results have.
 Picture map_picture(const Snapshot& run, const FigureWish& wish) {
-    MapFigureContent content{wish.title.toStdString(), run.best_map, run.line_extents,
-                             run.best_trajectory, run.odometry_trajectory};
+    MapFigureContent content{std::filesystem::path(run.source).filename().string(), run.best_map,
+                             run.line_extents, run.best_trajectory, run.odometry_trajectory};
     content.style.width_mm = wish.width_mm;
     content.style.landmarks = wish.layers.has(Layer::landmarks);
     content.style.uncertainty = wish.layers.has(Layer::uncertainty);
@@ -201,6 +202,7 @@ std::vector<FigureOffer> GridView::figures() {
     paper.width = kPaperWidth / kMmPerPoint;
     paper.paper_mm = kPaperWidth;
     paper.legend = paper.axes = paper.for_print = true;
+    paper.uncertainty = tr("Uncertainty (%1 σ)").arg(kFigureSigmas);
     paper.layers =
         paper.shown = {Layer::landmarks, Layer::uncertainty, Layer::path, Layer::odometry};
     paper.picture = [run = snapshot_](const FigureWish& wish) { return map_picture(*run, wish); };

@@ -12,6 +12,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -48,6 +49,7 @@ ParticleDetails details_of(const Algoritmo& run, std::size_t hypothesis);
 /// Everything a view needs of the state after a step; immutable once published.
 struct Snapshot {
     SnapshotParts parts;  ///< what was asked for
+    std::string source;   ///< as TourReader::name()
     std::uint64_t steps = 0;
     std::uint64_t revision = 0;  ///< as Algoritmo::revision()
     bool grid_behind = false;    ///< step_grid is the one from before a correction
