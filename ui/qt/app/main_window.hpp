@@ -96,6 +96,8 @@ class MainWindow final : public QMainWindow {
     void set_up_measuring(const DockPlace& place);
     void set_up_view_buttons();
     void connect_runs();
+    /// In front, with the keyboard.
+    void come_forward();
     void show_configuration();
     void name_what_runs();
     void set_highlight(const PickedLandmark& picked);

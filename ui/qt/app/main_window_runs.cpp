@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QLocale>
+#include <QTimer>
 #include <algorithm>
 
 #include "actions/configuration_actions.hpp"
@@ -105,12 +106,8 @@ StudyDialog& MainWindow::open_study() {
                                           : tr("Set as in the study: %1. Undo takes it back"))
                                         .arg(values));
                 });
-        const auto come_forward = [this] {
-            raise();
-            activateWindow();
-        };
-        connect(study_, &StudyDialog::run_wanted, this, come_forward);
-        connect(study_, &StudyDialog::values_wanted, this, come_forward);
+        connect(study_, &StudyDialog::run_wanted, this, &MainWindow::come_forward);
+        connect(study_, &StudyDialog::values_wanted, this, &MainWindow::come_forward);
     }
     if (study_->isVisible()) study_->raise();
     study_->show();
@@ -138,6 +135,16 @@ ConnectDialog& MainWindow::open_connection() {
     return *connect_;
 }
 
+void MainWindow::come_forward() {
+    const auto come = [this] {
+        raise();
+        activateWindow();
+    };
+    come();
+    // The window that was clicked in has events of its own under way, which would take it back.
+    QTimer::singleShot(0, this, come);
+}
+
 WorldWindow& MainWindow::open_world_window() {
     if (world_ == nullptr) {
         world_ = new WorldWindow(session_, files_, prompts_, guard_, this);
@@ -145,8 +152,7 @@ WorldWindow& MainWindow::open_world_window() {
         connect(world_, &WorldWindow::run_wanted, configuration_, [this](const QString& path) {
             if (!configuration_->open(path)) return;
             session_.run();
-            raise();
-            activateWindow();
+            come_forward();
         });
         connect(view_settings_, &ViewSettings::layers_changed, &world_->view(),
                 &WorldView::set_layers);
