@@ -267,6 +267,23 @@ TEST(PoseGraph, OneSolverWithFewerEdgesDoesWhatASolverOfThoseAloneDoes) {
     }
 }
 
+TEST(PoseGraph, AnAnchorOfADrawingThatNothingElseLaysMovesNothing) {
+    Ring ring = make_ring(40, 1.0, 23);
+    for (int again = 0; again < 5; ++again) solve(ring.keys, ring.edges, {20, false});
+    PoseEdge wall;
+    wall.kind = EdgeKind::anchor;
+    wall.to = 17;
+    wall.at = {2.0, -1.0};
+    wall.z = {691000.0, 5334000.0, 2.0};
+    wall.information.setZero();
+    wall.information(0, 0) = 400.0;  // across it alone
+    wall.information(2, 2) = 1e4;
+    ring.edges.push_back(wall);
+    std::vector<KeyPose> anchored = ring.keys;
+    for (int again = 0; again < 5; ++again) solve(anchored, ring.edges, {20, false});
+    EXPECT_LT(greatest_move(ring.keys, anchored), 1e-6);
+}
+
 TEST(PoseGraph, GreatMovesSettleWhereEveryStepFactorisedDoes) {
     // Turned by half a radian and carried off, as before a great loop is closed.
     for (const bool robust : {false, true}) {
