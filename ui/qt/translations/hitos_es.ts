@@ -211,6 +211,22 @@
         <source>The headings of the reference trajectory are off by %1, as those of another part of the robot: turn them back by that. Errors of headings, relative errors and which loops are false are left out; the ATE is of positions alone, and stands.</source>
         <translation>Los rumbos de la trayectoria de referencia difieren en %1, como los de otra parte del robot: gírelos de vuelta en eso. Los errores de rumbo, los relativos y qué bucles son falsos se dejan fuera; el ATE es solo de posiciones, y vale.</translation>
     </message>
+    <message>
+        <source>Odometry alone is nearer to the reference than the path (%1): look where the path breaks, and at its loops.</source>
+        <translation>La odometría sola está más cerca de la referencia que el camino (%1): mire dónde se rompe el camino, y sus bucles.</translation>
+    </message>
+    <message>
+        <source>Odometry alone is nearer to the reference than the path (%1): these parameters do not suit this tour.</source>
+        <translation>La odometría sola está más cerca de la referencia que el camino (%1): estos parámetros no convienen a este recorrido.</translation>
+    </message>
+    <message>
+        <source>The reference trajectory tells only of a tour that was not found in the map, so no error is told.</source>
+        <translation>La trayectoria de referencia solo habla de un recorrido que no se encontró en el mapa, así que no se dice ningún error.</translation>
+    </message>
+    <message>
+        <source>The log&apos;s name (%1) is no UTF-8, which config.cfg has to be: what opens these results later will not find the log. Rename it and run it again.</source>
+        <translation>El nombre del registro (%1) no es UTF-8, como ha de serlo config.cfg: quien abra después estos resultados no encontrará el registro. Cámbiele el nombre y vuelva a ejecutarlo.</translation>
+    </message>
 </context>
 <context>
     <name>Associations</name>
@@ -2186,10 +2202,6 @@
         <translation>no se encontró ningún barrido legible; partes del registro que se saltaron por dañadas: %1, la primera: %2</translation>
     </message>
     <message>
-        <source>closed door %1, (%2, %3) to (%4, %5)</source>
-        <translation>la puerta cerrada %1, de (%2, %3) a (%4, %5)</translation>
-    </message>
-    <message>
         <source>a side of a box, (%1, %2) to (%3, %4)</source>
         <translation>un lado de una caja, de (%1, %2) a (%3, %4)</translation>
     </message>
@@ -3772,6 +3784,42 @@
     <message>
         <source>This is the tour that the map of %1 was made of: laid on itself it brings the map nothing new, and that it fits tells nothing.</source>
         <translation>Este es el recorrido del que se hizo el mapa de %1: puesto sobre sí mismo no aporta nada nuevo al mapa, y que encaje no dice nada.</translation>
+    </message>
+    <message>
+        <source>origin: found a yaw of %1, which is more than a turn in radians; if it is in degrees, write %2</source>
+        <translation>origin: se encontró un giro de %1, que es más de una vuelta en radianes; si está en grados, escriba %2</translation>
+    </message>
+    <message>
+        <source>%1 stands in line %2 already; leave one of them out</source>
+        <translation>%1 está ya en la línea %2; quite una de las dos</translation>
+    </message>
+    <message>
+        <source>occupied_thresh: found %1, expected more than free_thresh, which is %2 in line %3; are they the wrong way round?</source>
+        <translation>occupied_thresh: se encontró %1, se esperaba más que free_thresh, que es %2 en la línea %3; ¿están al revés?</translation>
+    </message>
+    <message>
+        <source>the file has no negate, which may be wrong: by it %1 of the picture is free ground, with negate: %2 it would be %3</source>
+        <translation>el archivo no tiene negate, lo que puede estar mal: así el %1 de la imagen es suelo libre, con negate: %2 sería el %3</translation>
+    </message>
+    <message>
+        <source>negate in line %1 may be the wrong way round: by it %2 of the picture is free ground, with negate: %3 it would be %4</source>
+        <translation>negate, en la línea %1, puede estar al revés: con él el %2 de la imagen es suelo libre, con negate: %3 sería el %4</translation>
+    </message>
+    <message>
+        <source>closed door %1, (%2, %3) to (%4, %5), which an event { at = 0, open = %1 } would open</source>
+        <translation>la puerta cerrada %1, de (%2, %3) a (%4, %5), que abriría un suceso { at = 0, open = %1 }</translation>
+    </message>
+    <message>
+        <source>is of ROS recordings, and %1 is none; leave it out</source>
+        <translation>es de grabaciones de ROS, y %1 no es ninguna; quítela</translation>
+    </message>
+    <message>
+        <source>is of worlds, which are simulated, and %1 is none; leave it out</source>
+        <translation>es de mundos, que se simulan, y %1 no es ninguno; quítela</translation>
+    </message>
+    <message>
+        <source>found %1, and a comma is a decimal one here, while these are whole numbers; part values by semicolons or blanks</source>
+        <translation>se encontró %1, y aquí la coma es decimal, pero estos son números enteros; separe los valores con puntos y comas o espacios</translation>
     </message>
 </context>
 <context>
@@ -5637,10 +5685,6 @@
         <translation>Recorridos simulados</translation>
     </message>
     <message>
-        <source>FastSLAM for worlds and their laser of 10 mm: lines fitted to all points, noise that grows with the motion.</source>
-        <translation>FastSLAM para mundos y su láser de 10 mm: rectas ajustadas a todos los puntos y ruido que crece con el movimiento.</translation>
-    </message>
-    <message>
         <source>As the thesis</source>
         <translation>Como el proyecto</translation>
     </message>
@@ -5695,6 +5739,10 @@
     <message>
         <source>FastSLAM for parks and orchards: trees and posts as circles in the scans of a laser that sees far.</source>
         <translation>FastSLAM para parques y huertos: árboles y postes como círculos en los barridos de un láser que ve lejos.</translation>
+    </message>
+    <message>
+        <source>FastSLAM for worlds of walls and their laser of 10 mm: lines fitted to all points, noise that grows with the motion.</source>
+        <translation>FastSLAM para mundos de paredes y su láser de 10 mm: rectas ajustadas a todos los puntos, ruido que crece con el movimiento.</translation>
     </message>
 </context>
 <context>
@@ -6551,6 +6599,10 @@
     <message>
         <source>Maps what comes in: %1</source>
         <translation>Hace el mapa de lo que llega: %1</translation>
+    </message>
+    <message>
+        <source>Parameters: %1, because there is more than walls in this world</source>
+        <translation>Parámetros: %1, porque en este mundo hay más que paredes</translation>
     </message>
 </context>
 <context>
@@ -7564,6 +7616,10 @@
     <message>
         <source>The map for papers, as results have it (map.pdf)</source>
         <translation>El mapa para artículos, como en los resultados (map.pdf)</translation>
+    </message>
+    <message>
+        <source>Uncertainty (%1 σ)</source>
+        <translation>Incertidumbre (%1 σ)</translation>
     </message>
 </context>
 <context>
