@@ -81,10 +81,11 @@ void refuse_another_run(const std::filesystem::path& folder, const Configuracion
 
 bool tell_kept(const std::filesystem::path& folder) {
     if (!holds_finished_run(folder)) return false;
-    fmt::print(stderr,
-               "nothing is written: {} keeps the results of a run to its tour's end{}, and this one "
-               "was stopped before; --out with another folder keeps what a stopped run has\n",
-               on_one_line(folder.string()), written_at(folder / "summary.json"));
+    fmt::print(
+        stderr,
+        "nothing is written: {} keeps the results of a run to its tour's end{}, and this one "
+        "was stopped before; --out with another folder keeps what a stopped run has\n",
+        on_one_line(folder.string()), written_at(folder / "summary.json"));
     return true;
 }
 

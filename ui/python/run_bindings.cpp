@@ -97,9 +97,10 @@ std::shared_ptr<Result> run_to_the_end(const py::object& tour, const py::object&
     std::shared_ptr<Result> result = run->result();
     const bool stopped = run->progress().state != Progress::State::finished;
     if (folder && stopped && holds_finished_run(*out)) {
-        warn(fmt::format("nothing is written: {} keeps the results of a run to its tour's end, and "
-                         "this one was stopped before; write() of its result writes them",
-                         out->string()));
+        warn(
+            fmt::format("nothing is written: {} keeps the results of a run to its tour's end, and "
+                        "this one was stopped before; write() of its result writes them",
+                        out->string()));
     } else if (folder) {
         static_cast<void>(run->write(result->shown()->revision, *folder, words));
     }
