@@ -227,6 +227,10 @@
         <source>The log&apos;s name (%1) is no UTF-8, which config.cfg has to be: what opens these results later will not find the log. Rename it and run it again.</source>
         <translation>El nombre del registro (%1) no es UTF-8, como ha de serlo config.cfg: quien abra después estos resultados no encontrará el registro. Cámbiele el nombre y vuelva a ejecutarlo.</translation>
     </message>
+    <message>
+        <source>The reference trajectory has two places at one stamp, up to %1 apart: it is of two robots or tours, and errors against it are none.</source>
+        <translation>La trayectoria de referencia tiene dos lugares en un mismo instante, a %1 como mucho uno del otro: es de dos robots o recorridos, y los errores frente a ella no lo son.</translation>
+    </message>
 </context>
 <context>
     <name>Associations</name>
@@ -3820,6 +3824,34 @@
     <message>
         <source>found %1, and a comma is a decimal one here, while these are whole numbers; part values by semicolons or blanks</source>
         <translation>se encontró %1, y aquí la coma es decimal, pero estos son números enteros; separe los valores con puntos y comas o espacios</translation>
+    </message>
+    <message>
+        <source>%1 scans show another place than those before and behind them, which are alike (%2 are): two lasers, or two robots, under one name; the map is of both</source>
+        <translation>%1 barridos muestran otro lugar que los de antes y después, que se parecen entre sí (lo hacen %2): dos láseres, o dos robots, con un mismo nombre; el mapa es de ambos</translation>
+    </message>
+    <message>
+        <source>record each laser under a name of its own</source>
+        <translation>grabe cada láser con un nombre propio</translation>
+    </message>
+    <message>
+        <source>the readings go in steps of %1 m, and walls are no better known than that; no scan lies on another by them</source>
+        <translation>las lecturas van en pasos de %1 m, y las paredes no se conocen mejor que eso; con ellas ningún barrido se ajusta a otro</translation>
+    </message>
+    <message>
+        <source>record them with the digits that the laser gives</source>
+        <translation>grábelas con las cifras que da el láser</translation>
+    </message>
+    <message>
+        <source>a quarter of the scans do not lie on the ones before by any motion (at best %1 % of their points do): rays in another order than is said, readings that are none, or scans of another laser among them; the odometry cannot be judged by them</source>
+        <translation>una cuarta parte de los barridos no se ajusta a los anteriores con ningún movimiento (como mucho lo hace el %1 % de sus puntos): rayos en otro orden que el que se dice, lecturas que no lo son, o barridos de otro láser entre ellos; la odometría no se puede juzgar con ellos</translation>
+    </message>
+    <message>
+        <source>look at what wrote the scans</source>
+        <translation>mire qué escribió los barridos</translation>
+    </message>
+    <message>
+        <source>mend what tells it, and record again: the scans alone do not show enough of how it moved</source>
+        <translation>arregle lo que la da y grabe de nuevo: los barridos solos no muestran lo bastante de cómo se movió</translation>
     </message>
 </context>
 <context>
