@@ -38,8 +38,9 @@ std::string damage_text(const ReadReport& report) {
         text += '\n';
     }
     if (report.stamps_backwards > 0) {
-        text += fmt::format("{} no later than the one ahead of it in the log, whose order was kept\n",
-                            plural(report.stamps_backwards, "time stamp"));
+        text +=
+            fmt::format("{} no later than the one ahead of it in the log, whose order was kept\n",
+                        plural(report.stamps_backwards, "time stamp"));
     }
     return text;
 }

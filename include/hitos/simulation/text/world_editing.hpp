@@ -39,8 +39,8 @@ Polyline outline_of(const WorldText& text, const WorldItem& item);
 /// These put something in, at the end of its list. What cannot be is refused as WorldText does,
 /// and nothing has changed then.
 void add_wall(WorldText& text, const Polyline& wall);
-/// Walls along it (within a centimetre) get a gap as wide as the door. It is open from the start, by
-/// an event of the tour.
+/// Walls along it (within a centimetre) get a gap as wide as the door. It is open from the start,
+/// by an event of the tour.
 void add_door(WorldText& text, const Point2& a, const Point2& b);
 void add_box(WorldText& text, const Point2& middle, double side_m);
 void add_person(WorldText& text, const Polyline& way);
