@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "hitos/base/median.hpp"
@@ -20,8 +21,8 @@ using Kind = TourFinding::Kind;
 
 constexpr std::size_t kLeastRays = 20;
 
-/// The share of the rays known in both that end at about the same distance.
-double alike(const std::vector<float>& a, const std::vector<float>& b) {
+/// The share of the rays known in both that end at about the same distance; nothing of few.
+std::optional<double> alike(const std::vector<float>& a, const std::vector<float>& b) {
     constexpr float kNear = 0.1F;
     constexpr float kPerRange = 0.02F;
     std::size_t both = 0;
@@ -31,7 +32,8 @@ double alike(const std::vector<float>& a, const std::vector<float>& b) {
         ++both;
         if (std::abs(a[i] - b[i]) < kNear + kPerRange * a[i]) ++same;
     }
-    return both < kLeastRays ? 0.0 : static_cast<double>(same) / static_cast<double>(both);
+    if (both < kLeastRays) return {};
+    return static_cast<double>(same) / static_cast<double>(both);
 }
 
 }  // namespace
@@ -39,7 +41,7 @@ double alike(const std::vector<float>& a, const std::vector<float>& b) {
 /// One that is unlike those before and behind it, which are alike, shows another place.
 void TourExamination::note_neighbours(const Scan& scan) {
     constexpr double kAlike = 0.6;
-    constexpr double kUnlike = 0.5;  // of what those beside it have
+    constexpr double kUnlike = 0.4;  // of what those beside it have
     constexpr std::uint32_t kMostRays = 10'000;
     std::vector<float> ranges;
     if (scan.rays.size() == scan.points.size() && scan.fan.count <= kMostRays) {
@@ -50,11 +52,11 @@ void TourExamination::note_neighbours(const Scan& scan) {
                 ranges[scan.rays[i]] = static_cast<float>(distance(laser, scan.points[i]));
         }
     }
-    const double to_last = alike(last_ranges_, ranges);
-    const double past_last = alike(ranges_before_, ranges);
-    if (past_last >= kAlike && !last_ranges_.empty()) {
+    const std::optional<double> to_last = alike(last_ranges_, ranges);
+    const std::optional<double> past_last = alike(ranges_before_, ranges);
+    if (past_last >= kAlike && to_last && last_alike_) {
         ++steady_scans_;
-        if (std::max(to_last, last_alike_) <= kUnlike * past_last) ++foreign_scans_;
+        if (std::max(*to_last, *last_alike_) <= kUnlike * *past_last) ++foreign_scans_;
     }
     ranges_before_ = std::exchange(last_ranges_, std::move(ranges));
     last_alike_ = to_last;
@@ -63,7 +65,7 @@ void TourExamination::note_neighbours(const Scan& scan) {
 /// Scans of another laser, or of another place, in between: nothing that is found by pairs holds.
 void TourExamination::doubt_foreign_scans(std::vector<TourFinding>& found) const {
     constexpr std::uint64_t kLeast = 10;
-    constexpr double kShare = 0.02;
+    constexpr double kShare = 0.03;  // of stamps that waver, so that scans change places, 0.02
     if (foreign_scans_ < kLeast ||
         static_cast<double>(foreign_scans_) < kShare * static_cast<double>(steady_scans_)) {
         return;
@@ -157,30 +159,48 @@ void TourExamination::settle_scans(std::vector<TourFinding>& found) const {
     const auto from_scans = [](const Remedy& remedy) {
         return remedy.settings == take_it_from_scans().settings;
     };
-    const auto blames = [&](const TourFinding& finding) {
-        const bool unfit = finding.kind == Kind::unfit_odometry &&
-                           std::ranges::any_of(finding.remedies, &Remedy::registration);
-        return unfit || std::ranges::any_of(finding.remedies, from_scans) ||
-               finding.kind == Kind::odometry_turns || finding.kind == Kind::odometry_scale;
+    const auto advised = [&](const TourFinding& finding) {
+        return std::ranges::any_of(finding.remedies, from_scans);
     };
-    if (std::ranges::none_of(found, blames) || pairs_.empty() || has_few_rays()) return;
+    // By the scans; what the odometry's own poses and stamps say stands.
+    const auto blames = [&](const TourFinding& finding) {
+        switch (finding.kind) {
+            case Kind::odometry_scale:
+            case Kind::odometry_turns:
+                return true;
+            case Kind::unfit_odometry:
+                return advised(finding) ||
+                       std::ranges::any_of(finding.remedies, &Remedy::registration);
+            case Kind::still_odometry:
+                return advised(finding);
+            default:
+                return false;
+        }
+    };
+    const auto asked = [&](const TourFinding& finding) {
+        return blames(finding) || advised(finding);
+    };
+    if (std::ranges::none_of(found, asked) || pairs_.empty() || has_few_rays()) return;
     const ScansAlone alone = scans_alone();
     if (alone.fits.size() >= kLeastPairs && alone.fits[alone.fits.size() / 4] < kLieOnEachOther) {
-        std::erase_if(found, blames);
         const double fits = alone.fits[alone.fits.size() / 4];
-        found.push_back(
-            {Kind::foreign_scans,
-             fits,
-             message(HITOS_TEXT("Errors",
-                                "a quarter of the scans do not lie on the ones before by any "
-                                "motion (at best %1 % of their points do): rays in another order "
-                                "than is said, readings that are none, or scans of another laser "
-                                "among them; the odometry cannot be judged by them"),
-                     percent(fits)),
-             {{marked(HITOS_TEXT("Errors", "look at what wrote the scans"))}}});
+        const bool told = std::ranges::count(found, Kind::foreign_scans, &TourFinding::kind) > 0;
+        if (std::erase_if(found, blames) > 0 && !told) {
+            found.push_back(
+                {Kind::foreign_scans,
+                 fits,
+                 message(HITOS_TEXT("Errors",
+                                    "a quarter of the scans do not lie on the ones before by any "
+                                    "motion (at best %1 % of their points do): rays in another "
+                                    "order than is said, readings that are none, or scans of "
+                                    "another laser among them; the odometry cannot be judged by "
+                                    "them"),
+                         percent(fits)),
+                 {{marked(HITOS_TEXT("Errors", "look at what wrote the scans"))}}});
+        }
+    } else if (alone.telling >= kTell) {
         return;
     }
-    if (alone.telling >= kTell) return;
     for (TourFinding& finding : found) {
         if (finding.kind == Kind::still_odometry) continue;  // then there is nothing better
         if (std::erase_if(finding.remedies, from_scans) == 0 || !finding.remedies.empty()) continue;

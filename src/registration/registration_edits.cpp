@@ -115,7 +115,7 @@ void Registration::Impl::lay_where_said(const Pose& pose, std::size_t from) {
     const auto tour = tour_not_found(from);
     if (tour == carried_.end()) return;
     lay_piece(pose);
-    note_found(*tour, graph_.poses.back().scan);
+    note_found(*tour, graph_.poses.back().scan, graph_.poses[from].scan);
     believe(from);
 }
 

@@ -101,7 +101,7 @@ class Registration::Impl {
     void lay_piece(const Pose& pose);
     void leave_first_tour();
     void begin_second_tour(std::uint64_t scan, const TourBegin& begin);
-    void note_found(const CarriedPiece& piece, std::uint64_t scan);
+    void note_found(const CarriedPiece& piece, std::uint64_t scan, std::uint64_t beside);
     std::vector<CarriedPiece>::iterator tour_not_found(std::size_t earlier_key);
     void lay_where_said(const Pose& pose, std::size_t from);
     GraphSolution solution(int iterations, bool robust) const {

@@ -85,7 +85,7 @@ void Registration::Impl::find_piece(std::vector<KeyPose>& before) {
         return;
     }
     closer_.forget();
-    if (other_tour) note_found(*tour, record.scan);
+    if (other_tour) note_found(*tour, record.scan, record.earlier);
     if (explained || other_tour) {
         believe(found->key);
     } else {
@@ -110,7 +110,8 @@ void Registration::Impl::begin_second_tour(std::uint64_t scan, const TourBegin& 
     const std::size_t first = graph_.size() - 1;
     graph_.cut(first);
     carried_.push_back({first, first, scan, travelled_m_, true, begin.start});
-    figures_.later_tours.push_back({scan, std::nullopt, 0.0, scan, begin.start.has_value()});
+    figures_.later_tours.push_back(
+        {.begin = scan, .found = std::nullopt, .laid_from = scan, .said = begin.start.has_value()});
     if (begin.hold) {
         editor_.check_held(graph_, scan, forced_keys_);
         held_ = first;
@@ -122,11 +123,13 @@ void Registration::Impl::begin_second_tour(std::uint64_t scan, const TourBegin& 
                             Eigen::Matrix3d::Identity(), EdgeKind::odometry});
 }
 
-/// The tour of a piece, of which a later scan was found.
-void Registration::Impl::note_found(const CarriedPiece& piece, std::uint64_t scan) {
+/// The tour of a piece, of which a later scan was found beside an earlier one.
+void Registration::Impl::note_found(const CarriedPiece& piece, std::uint64_t scan,
+                                    std::uint64_t beside) {
     for (SecondTour& tour : figures_.later_tours) {
         if (tour.begin != piece.scan || tour.found) continue;
         tour.found = scan;
+        tour.beside = beside;
         tour.laid_from = carried_.back().scan;
         tour.way_m = travelled_m_ - graph_.scans[piece.first].travelled_m;
     }

@@ -130,6 +130,9 @@ void TopicChoices::choose(SourceParams& source) const {
 
 void expect_used(const ValueChoices& values, const TopicChoices& topics,
                  const std::vector<std::string>& sources) {
+    const bool of_topics =
+        !topics.scan_topic.empty() || !topics.odom_topic.empty() || !topics.same_frames.empty();
+    if (!of_topics && values.world_assignments.empty() && !values.tour_seed) return;
     bool recording = false;
     bool world = false;
     for (const std::string& file : sources) {

@@ -28,7 +28,7 @@ std::string_view preset_of_world(const std::string& path) {
         const World world = read_world(path);
         if (world.landmarks.told()) return kLandmarkPreset;
         if (world.landmarks.round()) return kTreePreset;
-        // Things that are no walls, and people: what stands about makes landmarks of its own.
+        // People, and what stands about as they do: it makes landmarks of its own.
         if (!world.walkers.empty()) return kRobotPreset;
     } catch (const Error&) {  // whoever opens it is told
     }

@@ -64,8 +64,17 @@ TEST_P(ScansOf, ASecondRobotBetweenThemIsTold) {
     }
     const auto found = two.of_kind(Kind::foreign_scans);
     ASSERT_TRUE(found) << two.said();
-    EXPECT_GT(found->value, 0.2);
+    EXPECT_GT(found->value, 0.1);
     EXPECT_FALSE(advises_scans(two)) << two.said();
+}
+
+TEST_P(ScansOf, EmptyScansBetweenThemAreOfNoOtherRobot) {
+    Readings gaps = tour_;
+    for (std::size_t i = 0; i < gaps.scans.size(); i += 20) {
+        gaps.scans[i].points.clear();
+        gaps.scans[i].rays.clear();
+    }
+    EXPECT_FALSE(gaps.of_kind(Kind::foreign_scans)) << gaps.said();
 }
 
 TEST_P(ScansOf, RaysInAnyOrderAreNoFaultOfTheOdometry) {

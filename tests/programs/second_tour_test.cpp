@@ -247,6 +247,27 @@ TEST_F(SecondTourTest, TellsThatTheTourIsTheMapsOwn) {
     EXPECT_THAT(other.output, Not(HasSubstr("This is the tour")));
 }
 
+// Where two tours do not lie in one frame no distance is one.
+TEST_F(SecondTourTest, OneThatIsNotFoundIsNotMeasured) {
+    ASSERT_EQ(test::shell(cli_ + " simulate " + path("first.toml") + " --truth " +
+                          path("truth.tum") + " --out " + path("first.log"))
+                  .status,
+              0);
+    const std::string reference = " --reference-trajectory " + path("truth.tum");
+    const test::Outcome told = run("second.toml", "lost", map() + " --near 200,200,0" + reference);
+    ASSERT_EQ(told.status, 0) << told.output;
+    EXPECT_THAT(told.output, HasSubstr("was not found in the map"));
+    EXPECT_THAT(told.output, HasSubstr("a tour that was not found lies beside the map"));
+    const json first = summary_of("first");
+    const json lost = summary_of("lost");
+    EXPECT_EQ(lost["trajectory_error"]["poses"], first["scans"]);
+    EXPECT_LT(lost["trajectory_error"]["ate_rmse_m"], 0.3);
+    const test::Outcome measured = test::shell(cli_ + " evaluate " + path("lost") + reference);
+    ASSERT_EQ(measured.status, 0) << measured.output;
+    EXPECT_THAT(measured.output, HasSubstr("of the path are left out"));
+    EXPECT_THAT(measured.output, HasSubstr("poses " + std::to_string(first["scans"].get<int>())));
+}
+
 TEST_F(SecondTourTest, TellsWhatItCannotGoOnWith) {
     const auto expect = [&](const std::string& options, const std::string& words) {
         const test::Outcome told = run("second.toml", "out", options);

@@ -50,6 +50,8 @@ struct EvaluateOptions {
     double tolerance_s = kSameStamp;
     CLI::Option* tolerance = nullptr;
     bool json = false;
+    Trajectory estimate;       ///< read
+    std::size_t left_out = 0;  ///< of its file, what lies in no frame with the others
 };
 
 std::filesystem::path out_file(const EvaluateOptions& options, const char* name) {
@@ -99,25 +101,21 @@ std::string path_of(const std::filesystem::path& run) {
     return (run / "trajectory.tum").string();
 }
 
-/// Of a run's own trajectory what lies in one frame.
-Trajectory read_estimate(const EvaluateOptions& options) {
-    Trajectory path = read_trajectory(options.trajectory);
-    if (options.run.empty() || options.trajectory != path_of(options.run)) return path;
-    return in_one_frame(path, read_results(options.run).later_tours);
-}
-
-void tell_left_out(const EvaluateOptions& options, std::size_t measured, Report& report) {
-    const std::size_t all = read_trajectory(options.trajectory).size();
-    if (measured < all) {
-        report.note(
-            fmt::format("{} of the path are left out: of a tour that was not found in the map, "
-                        "and lies beside it",
-                        plural(all - measured, "pose")));
+/// Reads what is measured: of a run's own trajectory what lies in one frame.
+void read_estimate(EvaluateOptions& options) {
+    options.estimate = read_trajectory(options.trajectory);
+    std::error_code none;
+    if (options.run.empty() ||
+        !std::filesystem::equivalent(options.trajectory, path_of(options.run), none)) {
+        return;
     }
+    const Trajectory known = in_one_frame(options.estimate, read_results(options.run).later_tours);
+    options.left_out = options.estimate.size() - known.size();
+    options.estimate = known;
 }
 
 void evaluate_trajectory(const EvaluateOptions& options, Report& report) {
-    const Trajectory estimate = read_estimate(options);
+    const Trajectory& estimate = options.estimate;
     const Trajectory reference = read_trajectory(options.reference_trajectory);
     const ReferenceFit fit = fit_of_reference(estimate, reference, options.tolerance_s);
     const auto error = trajectory_error(estimate, reference, options.tolerance_s);
@@ -126,7 +124,12 @@ void evaluate_trajectory(const EvaluateOptions& options, Report& report) {
     report.figure("ate_maximum_m", error->maximum_m, 6);
     if (error->heading_rmse_rad) report.figure("heading_rmse_rad", *error->heading_rmse_rad, 6);
     report.count("poses", error->poses);
-    tell_left_out(options, estimate.size(), report);
+    if (options.left_out > 0) {
+        report.note(
+            fmt::format("{} of the path are left out: they lie beside the map, in no frame "
+                        "with the others, as of a tour that was not found in it",
+                        plural(options.left_out, "pose")));
+    }
     for (const Advice& doubt : fit.doubts()) report.warn(doubt.words());
 }
 
@@ -166,7 +169,7 @@ void evaluate_relative(const EvaluateOptions& options, PairSpacing::By by, doubl
     PairSpacing spacing = options.rpe;
     spacing.by = by;
     spacing.length = length;
-    const Trajectory estimate = read_estimate(options);
+    const Trajectory& estimate = options.estimate;
     const Trajectory reference = read_trajectory(options.reference_trajectory);
     const auto error = relative_error(estimate, reference, spacing, options.tolerance_s);
     const auto whole = trajectory_error(estimate, reference, options.tolerance_s);
@@ -187,8 +190,8 @@ void evaluate_relative(const EvaluateOptions& options, PairSpacing::By by, doubl
 }
 
 void evaluate_relations(const EvaluateOptions& options, Report& report) {
-    const std::vector<MeasuredRelation> measured = measure_relations(
-        read_estimate(options), read_relations(options.relations), options.tolerance_s);
+    const std::vector<MeasuredRelation> measured =
+        measure_relations(options.estimate, read_relations(options.relations), options.tolerance_s);
     const RelationErrors errors = relation_errors(measured);
     if (!options.out.empty()) {
         write_file(out_file(options, "relations.csv"), relations_csv(measured));
@@ -311,6 +314,7 @@ void evaluate(EvaluateOptions options) {
     }
     check_choices(options);
     Report report(options.json);
+    if (!options.trajectory.empty()) read_estimate(options);
     if (!options.run.empty()) evaluate_crispness(options, report);
     if (!options.reference.empty()) evaluate_map(options, report);
     if (!options.distances.empty()) evaluate_distances(options, report);

@@ -157,8 +157,8 @@ void add_configuration_options(CLI::App& command, ConfigurationOptions& options)
         .add_option("--preset", options.preset,
                     "Configuration that comes with Hitos: " + preset_words() +
                         "; hitos-cli presets says what each is for. Or auto, which is the default: "
-                        "for a world simulated, for one of trees trees, for one with people or "
-                        "things that are no walls and for the recording of a robot recorded, where "
+                        "for a world simulated, for one of trees trees, for one with people, "
+                        "walking or standing, and for the recording of a robot recorded, where "
                         "a sensor tells landmarks landmarks, for other logs the thesis's "
                         "recommended values")
         ->excludes(file);
@@ -253,8 +253,8 @@ std::string suited_words(std::string_view preset, const std::string& source) {
     if (preset.empty()) return {};
     const char* why = preset == kWorldPreset      ? "a world"
                       : preset == kLandmarkPreset ? "its sensor tells landmarks"
-                      : is_world_file(source)     ? "a world with what is no wall"
                       : preset == kTreePreset     ? "a world of trees"
+                      : is_world_file(source)     ? "a world with people"
                                                   : "a robot recorded it";
     return fmt::format("parameters: preset {} ({}); --preset and --config take others\n", preset,
                        why);

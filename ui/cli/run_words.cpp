@@ -90,10 +90,12 @@ void tell_summary(const RunSummary& summary, const std::string& folder, const Re
                    plural(summary.map_error->reference_landmarks, "landmark"));
     }
     if (summary.trajectory_error && summary.odometry_error) {
-        report.say(
-            "trajectory error (ATE) {:.3f} m, while driving {:.3f} m, odometry alone {:.3f} m\n",
-            summary.trajectory_error->rmse_m, summary.online_error->rmse_m,
-            summary.odometry_error->rmse_m);
+        // Of a tour's begin alone, before it was found, there is none.
+        const std::string driving = summary.online_error ? fmt::format(" while driving {:.3f} m,",
+                                                                       summary.online_error->rmse_m)
+                                                         : "";
+        report.say("trajectory error (ATE) {:.3f} m,{} odometry alone {:.3f} m\n",
+                   summary.trajectory_error->rmse_m, driving, summary.odometry_error->rmse_m);
         const int poses = summary.trajectory_error->poses;
         if (static_cast<std::uint64_t>(poses) < summary.scans) {
             report.say("  over {} of {}: {}\n", poses, plural(summary.scans, "scan"),

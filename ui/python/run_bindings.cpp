@@ -203,8 +203,8 @@ after them; None where the tour was over.)");
 
 tour: what hitos.open() gave, or takes. A Tour brings its source.* parameters along; of a name the
 configuration's stand.
-configuration: a Configuration, a dict of parameters over the defaults (for a world, over the preset
-simulated; for what a robot recorded, over recorded), or None.
+configuration: a Configuration, a dict of parameters over the defaults (over the preset that suits
+the tour, as `hitos-cli run` takes it), or None.
 progress: called with a Progress some times a second and at the end; False ends the run there.
 out: a folder for the files that `hitos-cli run` writes. A run that was ended before does not take
 the place of one to its tour's end there, and warns of that.

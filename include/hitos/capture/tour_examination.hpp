@@ -307,7 +307,7 @@ class TourExamination {
     std::vector<Point2> last_points_;
     std::vector<float> last_ranges_;    ///< of the newest scan, by ray, 0 where nothing is known
     std::vector<float> ranges_before_;  ///< of the one before
-    double last_alike_ = 0.0;           ///< both
+    std::optional<double> last_alike_;  ///< both
     std::uint64_t steady_scans_ = 0;    ///< whose neighbours are alike,
     std::uint64_t foreign_scans_ = 0;   ///< and these: unlike both
     Fan last_fan_;

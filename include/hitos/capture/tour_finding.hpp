@@ -61,7 +61,8 @@ struct TourFinding {
                          ///< own
         odometry_units,  ///< all of it is too fast, or turns too far; value: median speed [m/s], or
                          ///< the turn that the scans make of one [rad]
-        laser_units,     ///< readings of a distance that no such laser sees; value: median [m]
+        laser_units,     ///< readings of a distance that no such laser sees, or in coarse steps;
+                         ///< value: median [m]
         beyond_a_turn,   ///< rays over more than a turn; value: angle from first to last [rad]
         blind_laser,     ///< hardly any scan has a point; value: share of those with none
         foreign_scans,   ///< scans of another place between others, or that fit nothing; value:

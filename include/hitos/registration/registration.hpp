@@ -29,7 +29,8 @@ struct SecondTour {
     double way_m = 0.0;                  ///< driven until then
     /// Its first scan that was laid in the map: behind a break, what comes before lies beside it.
     std::uint64_t laid_from = 0;
-    bool said = false;  ///< somebody said where it begins
+    std::uint64_t beside = 0;  ///< the scan before it that it was found beside
+    bool said = false;         ///< somebody said where it begins
 };
 
 /// What an anchor to a drawing came to.

@@ -79,6 +79,7 @@ std::optional<std::pair<double, double>> time_in_common(const Trajectory& path, 
 std::optional<Advice> doubt_of_doubles(Trajectory reference) {
     constexpr double kApart = 0.1;  // [m]
     constexpr double kMany = 0.01;
+    std::erase_if(reference, [](const StampedPose& pose) { return !std::isfinite(pose.time_s); });
     std::ranges::stable_sort(reference, {}, &StampedPose::time_s);
     std::size_t doubles = 0;
     double farthest_m = 0.0;

@@ -32,7 +32,10 @@ double pooled(double a, int of_a, double b, int of_b) {
 
 bool lies_beside(const std::vector<SecondTour>& later_tours, std::size_t scan) {
     const SecondTour* tour = tour_of(later_tours, scan);
-    return tour != nullptr && !tour->found;
+    if (tour == nullptr) return false;
+    if (!tour->found || scan < tour->laid_from) return true;
+    // Whether it was found in one that lies there itself.
+    return tour->beside < tour->begin && lies_beside(later_tours, tour->beside);
 }
 
 Trajectory in_one_frame(const Trajectory& path, const std::vector<SecondTour>& later_tours) {
@@ -43,7 +46,7 @@ Trajectory known_while_driving(const Trajectory& online,
                                const std::vector<SecondTour>& later_tours) {
     return poses_that(online, [&](std::size_t scan) {
         const SecondTour* tour = tour_of(later_tours, scan);
-        return tour == nullptr || (tour->found && *tour->found <= scan);
+        return tour == nullptr || (!lies_beside(later_tours, scan) && *tour->found <= scan);
     });
 }
 

@@ -54,8 +54,13 @@ std::vector<SecondTour> later_tours_in(const nlohmann::json& quality, const std:
     for (const nlohmann::json& told : quality.at("later_tours")) {
         SecondTour& tour = tours.emplace_back();
         tour.begin = whole_number<std::uint64_t>(told, "begin", file, 1) - 1;
-        if (told.contains("found"))
-            tour.found = whole_number<std::uint64_t>(told, "found", file, 1) - 1;
+        tour.laid_from = tour.begin;
+        const auto take = [&](const char* name, auto& scan) {
+            if (told.contains(name)) scan = whole_number<std::uint64_t>(told, name, file, 1) - 1;
+        };
+        take("found", tour.found);
+        take("found_beside", tour.beside);
+        take("laid_from", tour.laid_from);
     }
     return tours;
 }

@@ -108,6 +108,8 @@ ordered_json json_of(const RunQuality& quality) {
             if (!tour.found) continue;
             one["found"] = *tour.found + 1;
             one["found_after_m"] = tour.way_m;
+            one["found_beside"] = tour.beside + 1;
+            if (tour.laid_from != tour.begin) one["laid_from"] = tour.laid_from + 1;
         }
         json["key_scans"] = figures->keys;
         json["loops_closed"] = std::ranges::count_if(quality.loops, &RunLoop::closed);
@@ -146,13 +148,15 @@ void state(const RunFigures& figures, ordered_json& json) {
 }
 
 /// Of a path that is worse than what it was made of; there is a reference that tells of both.
-void warn_of_odometry(const Algoritmo& run, RunSummary& summary) {
+void warn_of_worse_path(const Algoritmo& run, RunSummary& summary) {
     constexpr double kHardly = 0.01;  // [m]
     constexpr double kAsMuch = 1.05;
     const double path_m = summary.trajectory_error->rmse_m;
     const double odometry_m = summary.odometry_error->rmse_m;
     if (path_m <= std::max(odometry_m * kAsMuch, odometry_m + kHardly)) return;
     const bool registered = run.registration() != nullptr;
+    const bool may_be =
+        !run.configuration().extraction.circles.find && !run.shows_landmarks_alone();
     summary.quality.warnings.push_back(
         {registered ? HITOS_TEXT("Advice",
                                  "Odometry alone is nearer to the reference than the path (%1): "
@@ -161,7 +165,7 @@ void warn_of_odometry(const Algoritmo& run, RunSummary& summary) {
                                  "Odometry alone is nearer to the reference than the path (%1): "
                                  "these parameters do not suit this tour."),
          fmt::format("{:.3f} < {:.3f} m", odometry_m, path_m),
-         registered ? std::string_view() : std::string_view("recorded")});
+         registered || !may_be ? std::string_view() : std::string_view("recorded")});
 }
 
 /// Of a path of the run; there is a reference.
@@ -293,7 +297,9 @@ RunSummary summary_of(const Algoritmo& run, const LandmarkMap& map, const Trajec
                  {}});
         } else {
             summary.reference_doubts = fit.doubts();
-            if (summary.reference_doubts.empty()) warn_of_odometry(run, summary);
+            // Of several tours odometry is measured one by one.
+            if (summary.reference_doubts.empty() && run.later_tours().empty())
+                warn_of_worse_path(run, summary);
         }
     }
     if (references.map) {

@@ -8,6 +8,7 @@
 #include "hitos/services/configuration/config_parameter.hpp"
 #include "hitos/services/drawing/picture_file.hpp"
 #include "hitos/services/evaluation/reference_fit.hpp"
+#include "hitos/services/evaluation/tour_frames.hpp"
 #include "hitos/services/grid/grid_builder.hpp"
 #include "hitos/services/results/results.hpp"
 #include "hitos/services/run/open_source.hpp"
@@ -114,7 +115,8 @@ std::optional<StudyRecord> measure_run(const Study& study, const StudyLayout& la
     record.report = run.report();
     const Trajectory path = run.best_trajectory();
     ReferenceFit fit;
-    if (study.reference_trajectory) fit = fit_of_reference(path, *study.reference_trajectory);
+    if (study.reference_trajectory)
+        fit = fit_of_path(in_one_frame(path, run.later_tours()), *study.reference_trajectory);
     record.reference_doubt = fit.misfit ? fit.misfit : fit.headings;
     const References references = references_of(study, run);
     const RunErrors errors = errors_of(run, map, path, references);

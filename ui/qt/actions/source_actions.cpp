@@ -49,8 +49,7 @@ QString suited_words(const std::string& source) {
         : preset == kTreePreset
             ? ConfigurationActions::tr("Parameters: %1, because this is a world of trees")
         : is_world_file(source)
-            ? ConfigurationActions::tr(
-                  "Parameters: %1, because there is more than walls in this world")
+            ? ConfigurationActions::tr("Parameters: %1, because this is a world with people")
             : ConfigurationActions::tr("Parameters: %1, because a robot recorded this log");
     return why.arg(translated("Preset", find_preset(preset).label));
 }

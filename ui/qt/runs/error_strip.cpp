@@ -62,17 +62,15 @@ PathFigures path_figures(const Trajectory& path, const std::vector<SecondTour>& 
     figures.relative = relative_error(known, reference, {PairSpacing::By::distance, kRelativeWay});
     // Without headings the first pose says nothing of how the frames lie.
     aligned = aligned || !figures.absolute->heading_rmse_rad;
-    figures.errors = path_errors(
-        path, reference,
-        aligned ? std::optional(figures.absolute->pose_reference_estimate) : std::nullopt);
+    const std::optional<Pose> laid = aligned
+                                         ? std::optional(figures.absolute->pose_reference_estimate)
+                                         : first_alignment(known, reference);
+    figures.errors = path_errors(path, reference, laid);
     std::erase_if(figures.errors,
                   [&](const PathError& error) { return lies_beside(later_tours, error.pose); });
     figures.begin_s = path.front().time_s;
     const std::vector<double> seconds = tour_seconds(path);
     for (PathError& error : figures.errors) error.time_s = figures.begin_s + seconds[error.pose];
-    const std::optional<Pose> laid = aligned
-                                         ? std::optional(figures.absolute->pose_reference_estimate)
-                                         : first_alignment(path, reference);
     if (!laid) return figures;
     const Pose pose_estimate_reference = inverse(*laid);
     figures.reference.reserve(reference.size());

@@ -6633,8 +6633,8 @@
         <translation>Hace el mapa de lo que llega: %1</translation>
     </message>
     <message>
-        <source>Parameters: %1, because there is more than walls in this world</source>
-        <translation>Parámetros: %1, porque en este mundo hay más que paredes</translation>
+        <source>Parameters: %1, because this is a world with people</source>
+        <translation>Parámetros: %1, porque es un mundo con personas</translation>
     </message>
 </context>
 <context>

@@ -10,8 +10,8 @@
 
 namespace hitos {
 
-/// Whether the scan is of a later tour that was not found: it lies beside the map, wherever that
-/// left room.
+/// Whether the scan lies beside the map, wherever that left room: it is of a later tour that was
+/// not found, or only in one that was not, or from before a break in it.
 bool lies_beside(const std::vector<SecondTour>& later_tours, std::size_t scan);
 
 /// The path's poses, one a scan, without those that lie beside the map: only among the others a

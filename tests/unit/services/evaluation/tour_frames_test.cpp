@@ -20,7 +20,8 @@ Trajectory arc() {
 
 std::vector<SecondTour> tours(std::optional<std::uint64_t> second,
                               std::optional<std::uint64_t> third) {
-    return {{.begin = 10, .found = second}, {.begin = 20, .found = third}};
+    return {{.begin = 10, .found = second, .laid_from = 10, .beside = 3},
+            {.begin = 20, .found = third, .laid_from = 20, .beside = 4}};
 }
 
 /// The scans from one to before another, elsewhere.
@@ -41,8 +42,18 @@ TEST(TourFrames, ATourThatWasNotFoundIsInNoFrameWithTheOthers) {
     EXPECT_GT(trajectory_error(path, arc())->rmse_m, 10.0);
     EXPECT_NEAR(trajectory_error(in_one_frame(path, found), arc())->rmse_m, 0.0, 1e-9);
     EXPECT_EQ(in_one_frame(path, {}), path);
-    // One in the middle, with a tour behind it that was found.
-    EXPECT_EQ(in_one_frame(path, tours(std::nullopt, 25)).at(10).time_s, 20.0);
+    // One in the middle, with a tour behind it that was found in the first, or in that one.
+    std::vector<SecondTour> middle = tours(std::nullopt, 25);
+    EXPECT_EQ(in_one_frame(path, middle).at(10).time_s, 20.0);
+    middle[1].beside = 12;
+    EXPECT_EQ(in_one_frame(path, middle).size(), 10U);
+    EXPECT_EQ(known_while_driving(path, middle).size(), 10U);
+    // Behind a break in a tour that was found, what comes before lies beside it.
+    std::vector<SecondTour> broken = tours(15, 25);
+    broken[1].laid_from = 23;
+    EXPECT_TRUE(lies_beside(broken, 22));
+    EXPECT_FALSE(lies_beside(broken, 23));
+    EXPECT_EQ(in_one_frame(path, broken).size(), 27U);
 }
 
 TEST(TourFrames, WhileDrivingATourIsKnownFromWhereItWasFoundOn) {
