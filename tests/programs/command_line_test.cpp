@@ -318,12 +318,13 @@ TEST_F(CommandLine, OptionsThatTheSourceDoesNotHeedAreRefused) {
     for (const std::string command : {"run ", "info ", "check "}) {
         const std::string end = command == "run " ? out : "";
         for (const std::string option : {"--scan-topic", "--odom-topic", "--same-frames"}) {
-            expect(command + short_log_ + end + " " + option + " x=y",
-                   option + no_recording + short_log_);
-            expect(command + "corridor" + end + " " + option + " x=y", option + no_recording);
+            const std::string given = fmt::format("{} {} x=y", end, option);
+            expect(command + short_log_ + given, option + no_recording + short_log_);
+            expect(command + "corridor" + given, option + no_recording);
         }
-        expect(command + short_log_ + end + " --world-set laser.sigma=0", "--world-set" + no_world);
-        expect(command + short_log_ + end + " --tour-seed 3", "--tour-seed" + no_world);
+        const std::string of_log = command + short_log_ + end;
+        expect(of_log + " --world-set laser.sigma=0", "--world-set" + no_world);
+        expect(of_log + " --tour-seed 3", "--tour-seed" + no_world);
     }
     expect("convert " + short_log_ + " --to carmen --scan-topic x" + out,
            "--scan-topic" + no_recording);

@@ -77,10 +77,10 @@ TEST_F(WorldCommand, TheGridOfARunThroughBigloopGivesItsWalls) {
 
 TEST_F(WorldCommand, AMapWhoseNegateIsWrongIsWarnedOf) {
     std::string pixels(1600, static_cast<char>(205));
-    for (int row = 5; row < 35; ++row) {
-        for (int column = 5; column < 35; ++column) {
+    for (std::size_t row = 5; row < 35; ++row) {
+        for (std::size_t column = 5; column < 35; ++column) {
             const bool wall = row == 5 || row == 34 || column == 5 || column == 34;
-            pixels[static_cast<std::size_t>(row * 40 + column)] = static_cast<char>(wall ? 0 : 254);
+            pixels[row * 40 + column] = static_cast<char>(wall ? 0 : 254);
         }
     }
     file("room.pgm", "P5\n40 40\n255\n" + pixels);

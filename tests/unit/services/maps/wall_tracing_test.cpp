@@ -266,10 +266,10 @@ TEST(OccupancyPicture, IsReadAsLibrariesAndPeopleWriteIt) {
 TEST(OccupancyPicture, ANegateThatIsTheWrongWayRoundIsDoubted) {
     TempFolder folder;
     Grid::Picture room{40, 40, std::vector<std::uint8_t>(1600, 205)};
-    for (int row = 5; row < 35; ++row) {
-        for (int column = 5; column < 35; ++column) {
+    for (std::size_t row = 5; row < 35; ++row) {
+        for (std::size_t column = 5; column < 35; ++column) {
             const bool wall = row == 5 || row == 34 || column == 5 || column == 34;
-            room.grey[static_cast<std::size_t>(row * 40 + column)] = wall ? 0 : 254;
+            room.grey[row * 40 + column] = wall ? 0 : 254;
         }
     }
     const auto doubt = [&](const std::string& yaml, const Point2& start) {
