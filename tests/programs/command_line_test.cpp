@@ -319,10 +319,11 @@ TEST_F(CommandLine, OptionsThatTheSourceDoesNotHeedAreRefused) {
         const std::string end = command == "run " ? out : "";
         for (const std::string option : {"--scan-topic", "--odom-topic", "--same-frames"}) {
             const std::string given = fmt::format("{} {} x=y", end, option);
-            expect(command + short_log_ + given, option + no_recording + short_log_);
-            expect(command + "corridor" + given, option + no_recording);
+            expect(fmt::format("{}{}{}", command, short_log_, given),
+                   fmt::format("{}{}{}", option, no_recording, short_log_));
+            expect(fmt::format("{}corridor{}", command, given), option + no_recording);
         }
-        const std::string of_log = command + short_log_ + end;
+        const std::string of_log = fmt::format("{}{}{}", command, short_log_, end);
         expect(of_log + " --world-set laser.sigma=0", "--world-set" + no_world);
         expect(of_log + " --tour-seed 3", "--tour-seed" + no_world);
     }
