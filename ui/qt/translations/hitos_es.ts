@@ -9791,7 +9791,7 @@
     </message>
     <message>
         <source>0.01, 0.02 or 0.01:0.05:0.01</source>
-        <translation>0.01, 0.02 o 0.01:0.05:0.01</translation>
+        <translation>0.01; 0.02 o 0.01:0.05:0.01</translation>
     </message>
     <message>
         <source>Values with commas between them, and ranges from:to:step</source>
