@@ -249,8 +249,9 @@ void FiltroParticulas::update_block(const Block& block, std::size_t observation,
             continue;
         }
         auto& leaf = landmarks.own_leaf_of(decision.landmark);
-        batch.load(count, leaf.values.data() + decision.landmark % S::Columns::kLeaf,
-                   particles_[i].pose);
+        const double* const values = leaf.values.data() + decision.landmark % S::Columns::kLeaf;
+        batch.load(count, values, particles_[i].pose);
+        if (S::kExtended && heeds_extents_) batch.load_extent(count, values);
         LandmarkRecord& record = leaf.records[decision.landmark % S::Columns::kLeaf];
         note_seen(record, decision);
         if (record.identity == kNameless) record.identity = seen.measured.identity;
@@ -258,16 +259,15 @@ void FiltroParticulas::update_block(const Block& block, std::size_t observation,
         whose.at(count++) = static_cast<std::uint32_t>(i);
     }
     batch.update(count, lane_of(seen.measured));
+    if constexpr (S::kExtended) {
+        if (heeds_extents_) batch.extend(count, seen.reach);
+    }
     for (std::size_t k = 0; k < count; ++k) {
         const std::uint32_t landmark = decisions_of(whose.at(k))[row].landmark;
-        batch.store(k, leaves.at(k)->values.data() + landmark % S::Columns::kLeaf);
-        auto landmarks = landmarks_of<S>(whose.at(k), block.worker);
-        landmarks.moved(landmark);
-        if (!heeds_extents_) continue;
-        const Particula& particle = particles_[whose.at(k)];
-        const auto mean = landmarks.mean(landmark);
-        landmarks.set_extent(landmark, S::carried(landmarks.extent(landmark), batch.before(k), mean)
-                                           .joined(S::placed(seen.reach, particle.pose, mean)));
+        double* const values = leaves.at(k)->values.data() + landmark % S::Columns::kLeaf;
+        batch.store(k, values);
+        if (S::kExtended && heeds_extents_) batch.store_extent(k, values);
+        landmarks_of<S>(whose.at(k), block.worker).moved(landmark);
     }
 }
 

@@ -27,7 +27,8 @@ struct LaneBatch {
     alignas(64) Row y;
     alignas(64) Row theta;
     alignas(64) Row log_likelihoods;
-    alignas(64) Row distances;  ///< squared Mahalanobis
+    alignas(64) Row distances;                           ///< squared Mahalanobis
+    alignas(64) std::array<double, 3 * kLanes> extents;  ///< where they have one
 
     /// Lane k gets the landmark that begins at `from` in a leaf.
     void load(std::size_t k, const double* from, const Pose& pose) {
@@ -41,9 +42,14 @@ struct LaneBatch {
         constexpr std::size_t kLeaf = S::Columns::kLeaf;
         for (std::size_t c = 0; c < Lane::kSize; ++c) to[c * kLeaf] = updated[c * kLanes + k];
     }
-    /// What was loaded.
-    typename S::Landmark before(std::size_t k) const {
-        return S::from_state({landmarks[k], landmarks[kLanes + k]});
+    void load_extent(std::size_t k, const double* from) {
+        constexpr std::size_t kLeaf = S::Columns::kLeaf;
+        for (std::size_t c = 0; c < 3; ++c)
+            extents[c * kLanes + k] = from[(Lane::kSize + c) * kLeaf];
+    }
+    void store_extent(std::size_t k, double* to) const {
+        constexpr std::size_t kLeaf = S::Columns::kLeaf;
+        for (std::size_t c = 0; c < 3; ++c) to[(Lane::kSize + c) * kLeaf] = extents[c * kLanes + k];
     }
 
     void compare(std::size_t count, const LaneObservation& seen) {
@@ -55,6 +61,13 @@ struct LaneBatch {
     void update(std::size_t count, const LaneObservation& seen) {
         vectorised([&]() HITOS_INLINED {
             update(landmarks.data(), x.data(), y.data(), theta.data(), seen, count, updated.data());
+        });
+    }
+    /// Carries the extents from what was loaded to what it is now, and adds what was seen.
+    void extend(std::size_t count, const SeenReach& reach) {
+        vectorised([&]() HITOS_INLINED {
+            extend(landmarks.data(), updated.data(), x.data(), y.data(), theta.data(), reach, count,
+                   extents.data());
         });
     }
 
@@ -78,6 +91,21 @@ struct LaneBatch {
         for (std::size_t k = 0; k < count; ++k) {
             S::updated(Lane::load(from + k, kLanes), LanePose{px[k], py[k], pt[k]}, seen)
                 .store(to + k, kLanes);
+        }
+    }
+    HITOS_INLINE static void extend(const double* from, const double* to, const double* px,
+                                    const double* py, const double* pt, SeenReach reach,
+                                    std::size_t count, double* extents) {
+        HITOS_LANES
+        for (std::size_t k = 0; k < count; ++k) {
+            const Lane now = Lane::load(to + k, kLanes);
+            const Extent kept{extents[k], extents[kLanes + k], extents[2 * kLanes + k]};
+            const Extent carried = S::carried(kept, Lane::load(from + k, kLanes), now);
+            const Extent joined =
+                carried.joined(S::placed(reach, LanePose{px[k], py[k], pt[k]}, now));
+            extents[k] = joined.low;
+            extents[kLanes + k] = joined.high;
+            extents[2 * kLanes + k] = joined.side;
         }
     }
 };

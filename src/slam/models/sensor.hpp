@@ -151,6 +151,7 @@ concept Sensor = requires(const Pose& pose, const Vector2& z, const typename S::
                           const Matrix2& fixed, std::size_t i, const Extent& extent,
                           const SeenReach& reach) {
     { S::kKind } -> std::convertible_to<FeatureKind>;
+    { S::kExtended } -> std::convertible_to<bool>;  // whether its columns end with an extent
     { S::measurement(landmark) } -> std::convertible_to<Vector2>;
     { S::count(observation) } -> std::same_as<std::size_t>;
     { S::observed(observation, i, fixed) } -> std::same_as<Measurement>;

@@ -41,6 +41,7 @@ struct SensorEsquina {
     using Lane = CornerLane;
     using Columns = CornerColumns;
     static constexpr FeatureKind kKind = FeatureKind::corner;
+    static constexpr bool kExtended = false;
     static constexpr double kNearest = 1e-3;
 
     static Vector2 measurement(const Esquina& observed) {

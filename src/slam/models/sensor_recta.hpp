@@ -49,6 +49,7 @@ struct SensorRecta {
     using Lane = LineLane;
     using Columns = LineColumns;
     static constexpr FeatureKind kKind = FeatureKind::line;
+    static constexpr bool kExtended = true;
 
     static Vector2 measurement(const Recta& observed) { return {observed.rho, observed.theta}; }
 
@@ -234,26 +235,35 @@ struct SensorRecta {
         }
         return {true, false, prepared.at(low), prepared.at(high)};
     }
-    /// Where on the landmark that is, seen from the pose.
+    /// Where on the landmark that is, seen from the pose: a point x, y of the robot's frame lies
+    /// u.p + x u.e_x + y u.e_y along the line of direction u.
+    HITOS_INLINE static Extent placed(SeenReach reach, const LanePose& pose, const LineLane& line) {
+        const auto [sine, cosine] = elementary::sine_cosine(pose.theta);
+        const double origin = pose.y * line.cosine - pose.x * line.sine;
+        const double ahead = sine * line.cosine - cosine * line.sine;
+        const double left = cosine * line.cosine + sine * line.sine;
+        const double a = origin + ahead * reach.from.x + left * reach.from.y;
+        const double b = origin + ahead * reach.to.x + left * reach.to.y;
+        const double behind = pose.x * line.cosine + pose.y * line.sine - line.rho;
+        constexpr double kEndless = std::numeric_limits<double>::infinity();
+        const double side = behind > 0.0 ? -1.0 : 1.0;
+        return {reach.known ? (a < b ? a : b) : -kEndless, reach.known ? (a < b ? b : a) : kEndless,
+                reach.sided ? side : 0.0};
+    }
     static Extent placed(const SeenReach& reach, const Pose& pose, const Recta& landmark) {
-        const PreparedRecta line(landmark);
-        Extent extent;
-        if (reach.known) {
-            const double a = line.along(transform(pose, reach.from));
-            const double b = line.along(transform(pose, reach.to));
-            extent = {std::min(a, b), std::max(a, b)};
-        }
-        if (reach.sided) extent.side = line.signed_distance({pose.x, pose.y}) > 0.0 ? -1.0 : 1.0;
-        return extent;
+        return placed(reach, lane_of(pose), LineLane::of(landmark, {}));
     }
     /// The stretch of `from` as places along `to`. A point rho n + t u of the first has
     /// rho n.u' + t u.u' along the second, whose foot, and maybe direction, is another.
-    static Extent carried(const Extent& extent, const Recta& from, const Recta& to) {
-        const double shift = from.rho * std::sin(from.theta - to.theta);
-        const double along = std::cos(from.theta - to.theta);
+    HITOS_INLINE static Extent carried(Extent extent, const LineLane& from, const LineLane& to) {
+        const double shift = from.rho * (from.sine * to.cosine - from.cosine * to.sine);
+        const double along = from.cosine * to.cosine + from.sine * to.sine;
         const double a = shift + along * extent.low;
         const double b = shift + along * extent.high;
-        return {std::min(a, b), std::max(a, b), along < 0.0 ? -extent.side : extent.side};
+        return {a < b ? a : b, a < b ? b : a, along < 0.0 ? -extent.side : extent.side};
+    }
+    static Extent carried(const Extent& extent, const Recta& from, const Recta& to) {
+        return carried(extent, LineLane::of(from, {}), LineLane::of(to, {}));
     }
 
     /// The line moved by a rigid motion of the world, before it is brought to normal form: what the

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <limits>
 
 #include "association/map_correction.hpp"
 #include "ekf/ekf_slam.hpp"
@@ -284,6 +286,25 @@ TEST(KeptLandmark, ExtentsFollowTheirPoints) {
     kept.extent = {};
     move(kept, motion);
     EXPECT_EQ(kept.extent.gap({-1.0, 1.0}), -2.0);
+}
+
+TEST(KeptLandmark, ExtentsLieWhereTheyWereSeen) {
+    const Pose pose{3.0, -2.0, 2.4};
+    const Point2 from{1.5, 0.7};
+    const Point2 to{1.4, 2.9};
+    for (const Recta& line : {Recta{2.0, 0.3}, Recta{-2.0, 0.3 - kPi}, Recta{9.0, -2.8}}) {
+        const PreparedRecta prepared(line);
+        const double a = prepared.along(transform(pose, from));
+        const double b = prepared.along(transform(pose, to));
+        const Extent seen = SensorRecta::placed({true, true, from, to}, pose, line);
+        EXPECT_NEAR(seen.low, std::min(a, b), 1e-12);
+        EXPECT_NEAR(seen.high, std::max(a, b), 1e-12);
+        const bool behind = prepared.signed_distance({pose.x, pose.y}) > 0.0;
+        EXPECT_EQ(seen.side, behind ? -1.0 : 1.0);
+        const Extent unknown = SensorRecta::placed({}, pose, line);
+        EXPECT_EQ(unknown.side, 0.0);
+        EXPECT_EQ(unknown.length(), std::numeric_limits<double>::infinity());
+    }
 }
 
 TEST(KeptLandmark, FusionAddsInformation) {
