@@ -170,9 +170,6 @@ bool Algoritmo::rewind() {
 void RunCheckpoints::note(const Algoritmo& run) {
     const std::uint64_t steps = run.steps();
     if (steps % spacing_ != 0 || kept_.contains(steps)) return;
-    // Of every other one those up to there have gone.
-    const auto odd = first_odd();
-    if (odd != kept_.end() && steps < odd->first && steps % (2 * spacing_) != 0) return;
     std::shared_ptr<const RunCheckpoint> checkpoint = run.checkpoint();
     if (!checkpoint) return;
     const std::size_t bytes = checkpoint->bytes();
@@ -180,7 +177,8 @@ void RunCheckpoints::note(const Algoritmo& run) {
     bytes_ += bytes;
     while (kept_.size() > 2 && (kept_.size() > kMost || bytes_ > most_bytes_)) {
         // Every other one goes, one at a time, so that most of the memory is in use.
-        const auto gone = first_odd();
+        const auto gone = std::ranges::find_if(
+            kept_, [this](const auto& kept) { return kept.first % spacing_ != 0; });
         if (gone == kept_.end()) {
             spacing_ *= 2;
             continue;
@@ -188,11 +186,6 @@ void RunCheckpoints::note(const Algoritmo& run) {
         bytes_ -= gone->second.bytes;
         kept_.erase(gone);
     }
-}
-
-RunCheckpoints::ByScan::const_iterator RunCheckpoints::first_odd() const {
-    return std::ranges::find_if(
-        kept_, [this](const auto& kept) { return kept.first % (2 * spacing_) != 0; });
 }
 
 std::shared_ptr<const RunCheckpoint> RunCheckpoints::before(std::uint64_t steps) const {
