@@ -533,14 +533,16 @@ TEST(TourExamination, ARunAdvisesWhatCheckDoes) {
         configuration.filter.particles = 1;
         const TourSummary checked = inspect_tour(*open_tour(configuration.source));
         ASSERT_FALSE(checked.findings.empty());
-        Algoritmo run(configuration, open_tour(configuration.source));
-        while (run.step()) {
-        }
-        const auto told = run.examination()->findings(run.reader().findings());
-        ASSERT_EQ(told.size(), checked.findings.size());
-        for (std::size_t i = 0; i < told.size(); ++i) {
-            EXPECT_EQ(told[i].what.english(), checked.findings[i].what.english());
-            EXPECT_EQ(advice_of(told[i]).english(), advice_of(checked.findings[i]).english());
+        for (const bool ahead : {false, true}) {
+            Algoritmo run(configuration, open_tour(configuration.source), {.doubts_ahead = ahead});
+            while (run.step()) {
+            }
+            const std::vector<TourFinding> told = run.doubts().get();
+            ASSERT_EQ(told.size(), checked.findings.size());
+            for (std::size_t i = 0; i < told.size(); ++i) {
+                EXPECT_EQ(told[i].what.english(), checked.findings[i].what.english());
+                EXPECT_EQ(advice_of(told[i]).english(), advice_of(checked.findings[i]).english());
+            }
         }
     };
     SourceParams world;

@@ -272,6 +272,7 @@ void run(const RunOptions& options, std::optional<LiveRun>& live) {
     run_options.grid_of = options.grid_of;
     run_options.figures = !options.figures.empty();
     run_options.time_stages = options.times;
+    run_options.doubts_ahead = true;
     std::optional<OdometryGridAhead> odometry_grid;
     if (configuration.run.threads != 1 && std::thread::hardware_concurrency() > 1) {
         odometry_grid.emplace(configuration.grid);

@@ -59,20 +59,6 @@ void measure_crispness(const RunEvidence& run, const Trajectory& path,
     quality.odometry_cells_per_point = odometry.cells_per_point();
 }
 
-/// What there is to doubt, on a thread of its own where the run may have one.
-std::future<std::vector<TourFinding>> doubted(const RunEvidence& run) {
-    const auto doubts = [&examination = *run.examination, told = run.reader.findings()] {
-        return examination.findings(told);
-    };
-    if (run.configuration.run.threads != 1) {
-        try {
-            return std::async(std::launch::async, doubts);
-        } catch (const std::system_error&) {  // there are too many threads
-        }
-    }
-    return std::async(std::launch::deferred, doubts);
-}
-
 /// Whether the path is the odometry's but for a few centimetres: where the odometry is right no map
 /// is crisper than its own, and one beside it is no worse for being a little less so.
 bool follows(const Trajectory& path, const Trajectory& odometry) {
@@ -381,20 +367,34 @@ std::vector<Advice> warnings(const RunEvidence& run) {
     return warnings;
 }
 
+DoubtsAhead doubts_of(std::shared_ptr<const TourExamination> examination,
+                      std::vector<TourFinding> told, int threads) {
+    const auto look = [examination = std::move(examination), told = std::move(told)] {
+        return examination->findings(told);
+    };
+    if (threads != 1) {
+        try {
+            return std::async(std::launch::async, look);
+        } catch (const std::system_error&) {  // there are too many threads
+        }
+    }
+    return std::async(std::launch::deferred, look);
+}
+
+void take_findings(std::vector<TourFinding> findings, RunQuality& quality) {
+    if (quality.registration) {
+        for (TourFinding& finding : findings)
+            std::erase_if(finding.remedies, &Remedy::registration);
+    }
+    quality.findings = std::move(findings);
+}
+
 RunQuality judge(const RunEvidence& run, const Trajectory& path,
                  const std::function<bool()>& stop) {
     RunQuality quality;
-    std::future<std::vector<TourFinding>> doubts;
-    if (run.examination != nullptr && !(stop && stop())) doubts = doubted(run);
     measure_crispness(run, path, stop, quality);
     quality.warnings = warnings(run);
-    if (doubts.valid()) quality.findings = doubts.get();
     if (run.registration != nullptr) {
-        // Nobody is told to do what is done.
-        if (quality.findings) {
-            for (TourFinding& finding : *quality.findings)
-                std::erase_if(finding.remedies, &Remedy::registration);
-        }
         quality.registration = run.registration->figures();
         quality.loops =
             run_loops(run.registration->loops(), run.registration->refused_loops(), path);

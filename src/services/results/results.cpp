@@ -401,6 +401,8 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
                          also,
                          stop,
                          folder.target()};
+    DoubtsAhead doubts;  // looked for beside the files
+    if (!(stop && stop())) doubts = run.doubts();
     const double began = thread_seconds();
     summary = summary_of(run, finished.map, finished.best, references, stop);
     if (run.options().time_stages) {
@@ -414,6 +416,7 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
     finished.segments = run.line_extents().of(finished.map, finished.best);
     try {
         write_files(finished, summary, folder, told);
+        if (doubts.valid()) take_findings(doubts.get(), summary.quality);
         if (summary.times) summary.times->all = process_seconds();
         write_file(folder.path() / kSummaryFile, sealed(to_json(summary, seconds), kSummarySeal));
     } catch (const FileError& error) {

@@ -50,7 +50,7 @@ Algoritmo::Algoritmo(const Configuracion& configuration, std::unique_ptr<TourRea
         reader_ = std::move(remembered);
     }
     // Once: what is read again, after going back, it knows already.
-    if (options_.examine) examination_ = std::make_unique<TourExamination>(reader_->options());
+    if (options_.examine) examination_ = std::make_shared<TourExamination>(reader_->options());
     begin();
 }
 
@@ -58,8 +58,14 @@ Algoritmo::~Algoritmo() = default;
 Algoritmo::Algoritmo(Algoritmo&&) noexcept = default;
 Algoritmo& Algoritmo::operator=(Algoritmo&&) noexcept = default;
 
+DoubtsAhead Algoritmo::doubts() const {
+    if (doubts_.valid() || !examination_) return doubts_;
+    return doubts_of(examination_, reader_->findings(), configuration_.run.threads);
+}
+
 void Algoritmo::begin() {
     clock_ = {};
+    doubts_ = {};
     if (options_.time_stages) clock_.set_going();
     extractor_ = options_.extractor
                      ? options_.extractor()
@@ -99,6 +105,7 @@ bool Algoritmo::step(AssociationRecord* record) {
         while (const std::optional<Odometria> reading = reader_->next_odometry()) {
             if (examination_) examination_->note(*reading);
         }
+        if (options_.doubts_ahead) doubts_ = doubts();
         clock_.ends(RunStage::reading);
         finish(false);
         clock_.ends(RunStage::rest);

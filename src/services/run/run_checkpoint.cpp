@@ -111,6 +111,7 @@ std::optional<RunCheckpoint> Algoritmo::copy() const {
 
 void Algoritmo::go_to(const RunCheckpoint& checkpoint) {
     remembered_->go_to(checkpoint.place);
+    doubts_ = {};
     state_ = checkpoint.state;
     // Of those of before, which are all that touch it.
     if (state_.registration) state_.registration->set_edits(configuration_.registration.edits);

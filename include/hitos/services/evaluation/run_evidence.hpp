@@ -8,16 +8,14 @@
 namespace hitos {
 
 class Registration;
-class TourExamination;
 class TourReader;
 
 /// As it is now, while the run lives.
 struct RunEvidence {
     const Configuracion& configuration;
     const TourReader& reader;
-    const Trajectory& odometry;          ///< the pose by odometry alone at every scan so far
-    const Registration* registration;    ///< null where the run has none
-    const TourExamination* examination;  ///< likewise
+    const Trajectory& odometry;        ///< the pose by odometry alone at every scan so far
+    const Registration* registration;  ///< null where the run has none
 };
 
 }  // namespace hitos

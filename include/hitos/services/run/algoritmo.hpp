@@ -12,6 +12,7 @@
 #include "hitos/capture/remembered_tour.hpp"
 #include "hitos/capture/tour_reader.hpp"
 #include "hitos/services/configuration/configuracion.hpp"
+#include "hitos/services/evaluation/quality.hpp"
 #include "hitos/services/evaluation/run_evidence.hpp"
 #include "hitos/services/grid/grid.hpp"
 #include "hitos/services/run/run_state.hpp"
@@ -21,7 +22,6 @@ namespace hitos {
 
 class Algoritmo;
 class Extractor;
-class TourExamination;
 
 /// What a run does besides mapping.
 struct AlgoritmoOptions {
@@ -40,6 +40,8 @@ struct AlgoritmoOptions {
     bool figures = true;
     /// Doubt what is read of the tour.
     bool examine = true;
+    /// Look for what there is to doubt as soon as the tour is over, beside all that comes then.
+    bool doubts_ahead = false;
     /// Measure what the stages of its steps take.
     bool time_stages = false;
     /// Told after every scan, on the thread of the run: the scan, and its pose by odometry alone.
@@ -130,11 +132,14 @@ class Algoritmo {
     const Suitability& suitability() const { return state_.suitability; }
     /// What doubts the tour; null where the options do not ask for it.
     const TourExamination* examination() const { return examination_.get(); }
+    /// What there is to doubt in the tour as far as it was read; not valid where the options do not
+    /// ask for it. The run has to rest until it is there.
+    DoubtsAhead doubts() const;
     /// To be judged by.
     RunEvidence evidence() const {
         // Without points there was nothing to register, and that says nothing of the map.
         return {configuration_, *reader_, odometry_trajectory(),
-                shows_landmarks_alone() ? nullptr : registration(), examination()};
+                shows_landmarks_alone() ? nullptr : registration()};
     }
     /// Of what speaks against the configuration so far; a recording that is run without
     /// registration is offered it.
@@ -178,7 +183,8 @@ class Algoritmo {
     AlgoritmoOptions options_;
     std::unique_ptr<TourReader> reader_;
     RememberedTour* remembered_ = nullptr;  // the reader, where the options ask for it
-    std::unique_ptr<TourExamination> examination_;
+    std::shared_ptr<TourExamination> examination_;
+    DoubtsAhead doubts_;  // of the whole tour, where the options ask for them ahead
     std::unique_ptr<Extractor> extractor_;
     RunState state_;
     // Drawing waits until somebody looks.

@@ -11,7 +11,6 @@
 #include <string_view>
 #include <vector>
 
-#include "hitos/capture/tour_examination.hpp"
 #include "hitos/capture/tour_reader.hpp"
 
 namespace hitos {
@@ -361,15 +360,25 @@ TEST(QualityWarnings, ALoopTellsWhetherALongPathIsBentAndJoinsWhatABreakParted) 
 TEST(Quality, WhatNobodyWaitedForIsNotKnown) {
     JudgedRun run;
     run.ahead(judged_hall(), {}, 20);
-    const TourExamination examination{ReadOptions{}};
-    RunEvidence evidence = run.evidence(false);
-    evidence.examination = &examination;
+    const RunEvidence evidence = run.evidence(false);
     const RunQuality whole = judge(evidence, run.odometry);
     EXPECT_GT(whole.cells_per_point.value_or(0.0), 0.0);
-    EXPECT_TRUE(whole.findings.has_value());
+    EXPECT_FALSE(whole.findings) << "nothing examined it";
     const RunQuality cut = judge(evidence, run.odometry, [] { return true; });
-    EXPECT_FALSE(cut.cells_per_point || cut.odometry_cells_per_point || cut.findings);
-    EXPECT_FALSE(judge(run.evidence(false), run.odometry).findings) << "nothing examined it";
+    EXPECT_FALSE(cut.cells_per_point || cut.odometry_cells_per_point);
+}
+
+TEST(Quality, NobodyIsToldToDoWhatTheRunDoes) {
+    TourFinding finding;
+    finding.remedies.resize(2);
+    finding.remedies.front().registration = true;
+    RunQuality plain;
+    take_findings({finding}, plain);
+    EXPECT_EQ(plain.findings.value().front().remedies.size(), 2U);
+    RunQuality registered;
+    registered.registration.emplace();
+    take_findings({finding}, registered);
+    EXPECT_EQ(registered.findings.value().front().remedies.size(), 1U);
 }
 
 TEST(Quality, OfAMapThatIsLessCrispThanTheOdometrys) {
