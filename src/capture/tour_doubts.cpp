@@ -149,14 +149,37 @@ void TourExamination::doubt_self_hits(std::vector<TourFinding>& found) const {
     constexpr std::uint64_t kLeastTurns = 10;
     constexpr double kAlways = 0.9;
     std::uint64_t own = 0;
+    std::uint64_t stuck = 0;
     float farthest = 0.0F;
+    float least_stuck = 0.0F;
     for (std::size_t i = 0; i < same_rays_.size(); ++i) {
         if (same_rays_[i] <= kAlways * static_cast<double>(turns_)) continue;
+        if (near_ranges_[i] >= static_cast<float>(kOwnSize)) {
+            least_stuck = stuck == 0 ? near_ranges_[i] : std::min(least_stuck, near_ranges_[i]);
+            ++stuck;
+            continue;
+        }
         ++own;
         farthest = std::max(farthest, near_ranges_[i]);
     }
     // Of most of them it is another thing.
-    if (turns_ >= kLeastTurns && own > 0 && 2 * own < fan_.count) {
+    if (turns_ < kLeastTurns || 2 * (own + stuck) >= fan_.count) return;
+    constexpr std::uint64_t kFew = 3;  // of some lasers one or two at the fan's ends are always so
+    if (stuck >= kFew) {
+        found.push_back(
+            {Kind::self_hits,
+             static_cast<double>(stuck),
+             message(HITOS_TEXT(
+                         "Errors",
+                         "%1 rays read the same distance all the time, %2 m and more, however the "
+                         "robot turns: they are stuck, and draw walls that are not there"),
+                     stuck, fmt::format("{:.2f}", least_stuck)),
+             {{marked(
+                 HITOS_TEXT("Errors",
+                            "leave these rays out of the log, or record it with a laser that is "
+                            "whole"))}}});
+    }
+    if (own > 0) {
         constexpr double kBeyond = 0.05;
         const double least = std::ceil((static_cast<double>(farthest) + kBeyond) * 20.0) / 20.0;
         found.push_back(

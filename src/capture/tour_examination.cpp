@@ -220,8 +220,8 @@ void TourExamination::note_leap(const Scan& scan) {
 /// lasers' fans tremble by some rays.
 void TourExamination::note_self(const Scan& scan) {
     constexpr double kTurn = 0.1;  // a wall beside the robot keeps its distance where it does not
-    constexpr double kOwn = 1.0;   // no robot of this kind is larger
     constexpr float kSame = 0.03F;
+    constexpr float kStuck = 0.001F;  // of a wall no reading is the same
     constexpr float kNewest = 0.25F;
     constexpr std::size_t kMostRays = 100'000;
     const double step = std::abs(scan.fan.step_rad());
@@ -237,7 +237,6 @@ void TourExamination::note_self(const Scan& scan) {
     const Point2 laser{scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y};
     for (std::size_t i = 0; i < scan.points.size(); ++i) {
         const double range = distance(laser, scan.points[i]);
-        if (range >= kOwn) continue;
         const double turns = wrap_angle(scan.fan.angle_rad(scan.rays[i])) / (2.0 * kPi) + 0.5;
         const auto bin =
             static_cast<std::size_t>(std::lround(turns * static_cast<double>(bins - 1)));
@@ -246,7 +245,8 @@ void TourExamination::note_self(const Scan& scan) {
     if (!first) ++turns_;
     for (std::size_t i = 0; i < bins; ++i) {
         float& known = near_ranges_[i];
-        const bool same = known > 0.0F && std::abs(ranges[i] - known) < kSame;
+        const float alike = known < static_cast<float>(kOwnSize) ? kSame : kStuck;
+        const bool same = known > 0.0F && std::abs(ranges[i] - known) < alike;
         if (same) ++same_rays_[i];
         if (ranges[i] > 0.0F) known = same ? std::lerp(known, ranges[i], kNewest) : ranges[i];
     }

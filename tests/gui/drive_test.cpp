@@ -9,7 +9,11 @@
 #include <QToolButton>
 
 #include "drive_fixture.hpp"
+#include "hitos/services/results/kept_run.hpp"
 #include "hitos/simulation/worlds/world.hpp"
+#include "runs/compare_window.hpp"
+#include "runs/run_list.hpp"
+#include "runs/runs.hpp"
 #include "tests.hpp"
 #include "views/time_line.hpp"
 
@@ -280,6 +284,33 @@ void DriveTest::what_happens_is_kept_too() {
         QCOMPARE(kept.tour.events[i].kind, static_cast<DisturbanceKind>(i));
     }
     QVERIFY(kept.tour.commands.size() == 1);
+}
+
+void DriveTest::what_was_driven_is_another_tour_than_the_worlds() {
+    DriveFixture f;
+    f.drive().hold(0.3, 0.0);
+    f.periods(20);
+    QTRY_VERIFY(f.caught_up());
+    f.drive().keep(f.path("kept.toml"));
+    Configuracion in_the_room = Fixture::tour(10);
+    in_the_room.source.file = f.path("room.toml").toStdString();
+    f.session.set_configuration(in_the_room);
+    f.run_steps(5);
+    const RunList& list = f.window->runs().list();
+    QCOMPARE(list.runs().size(), std::size_t{2});
+    const ListedRun present = list.runs().front();
+    const ListedRun driven = list.runs().back();
+    QVERIFY(same_log(driven.run->configuration, present.run->configuration));
+    QVERIFY(!same_tour(*driven.run, *present.run));
+    QCOMPARE(source_words(driven), QString("room.toml, driven"));
+    QCOMPARE(source_words(present), QString("room.toml"));
+    QVERIFY(list.reference_of(*present.run) != nullptr);
+    QVERIFY(list.reference_of(*driven.run) == nullptr);
+    f.window->runs().compare({present, driven});
+    const auto* verdict = f.window->runs().comparison()->findChild<QLabel*>("compare_verdict");
+    QVERIFY2(verdict->text().contains("The logs differ: room.toml and room.toml, driven"),
+             qPrintable(verdict->text()));
+    QVERIFY2(verdict->text().contains("is not laid"), qPrintable(verdict->text()));
 }
 
 void DriveTest::a_tour_that_is_given_up_is_rescued() {

@@ -181,6 +181,7 @@ class DriveTest : public QObject {
     void the_run_may_stand_still_or_go_back_meanwhile();
     void parameters_change_on_the_way();
     void what_happens_is_kept_too();
+    void what_was_driven_is_another_tour_than_the_worlds();
     void a_tour_that_is_given_up_is_rescued();
     void a_tour_that_ends_with_the_program_is_rescued();
     void bad_worlds_leave_what_was_there();

@@ -262,6 +262,24 @@ TEST_P(OfWorld, APartOfTheRobotThatTheLaserSeesIsTold) {
         << advice_of(*found).english();
 }
 
+TEST_P(OfWorld, RaysThatAreStuckAreTold) {
+    EXPECT_FALSE(tour_.of_kind(Kind::self_hits));
+    if (GetParam() == "corridor") return;  // it hardly turns there
+    for (const double stuck_m : {1.5, 4.0}) {
+        Readings broken = tour_;
+        for (Scan& scan : broken.scans) {
+            for (std::uint32_t ray = 40; ray < 70; ++ray) add_reading(scan, ray, stuck_m);
+        }
+        const auto found = broken.of_kind(Kind::self_hits);
+        ASSERT_TRUE(found) << broken.said();
+        EXPECT_GE(found->value, 28.0);
+        EXPECT_LE(found->value, 32.0);
+        EXPECT_NE(found->what.english().find(fmt::format("{:.2f} m and more", stuck_m)),
+                  std::string::npos)
+            << found->what.english();
+    }
+}
+
 TEST_P(OfWorld, OdometryThatLooksAsideOfItsWayIsTold) {
     for (const double degrees : {-90.0, 30.0}) {
         const double c = std::cos(degrees * kRadiansPerDegree);

@@ -117,6 +117,13 @@ TEST_F(MapFiles, MistakesAreNamedBeforeTheRun) {
     EXPECT_THAT(error(evaluate + "--distances " + distances_), HasSubstr("need --map"));
     EXPECT_THAT(error(evaluate + "--map " + map_ + " --reference " + map_ + " --out " + path("o")),
                 HasSubstr("needs --distances"));
+    // What it writes would be no file of the run that is there.
+    test::fs::create_directories(path("run"));
+    file("run/summary.json", "{}");
+    EXPECT_THAT(
+        error(evaluate + "--map " + map_ + " --distances " + distances_ + " --out " + path("run")),
+        HasSubstr("holds the results of a run"));
+    EXPECT_FALSE(test::fs::exists(path("run/distances.csv")));
     EXPECT_THAT(error(evaluate + "--map " + map_ + " --distances " + path("none")),
                 HasSubstr("none"));
 }

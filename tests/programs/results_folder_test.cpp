@@ -83,7 +83,13 @@ TEST_F(ResultsFolder, OfAnotherRunIsKeptUnlessItIsToBeReplaced) {
     // The same run, however its source and what changes no result are written, takes its place.
     EXPECT_EQ(run(path("./tour.log"), few + " --threads 1 --write svg").status, 0);
     EXPECT_TRUE(test::fs::exists(path("out/map.svg")));
-    EXPECT_EQ(run(log, few).status, 0);
+    // Files that were asked for are not lost by who does not ask for them again.
+    expect_kept(run(log, few), {"map.svg", "--write svg"});
+    EXPECT_TRUE(test::fs::exists(path("out/map.svg")));
+    EXPECT_EQ(run(log, few + " --write svg,landmarks").status, 0);
+    EXPECT_EQ(run(log, few + " --uncertainty --write all").status, 0);
+    expect_kept(run(log, few + " --write all"), {"uncertainty.csv", "(--uncertainty)"});
+    EXPECT_EQ(run(log, few + " --replace").status, 0);
     EXPECT_FALSE(test::fs::exists(path("out/map.svg")));
     expect_kept(run(log, "--set filter.particles=6 --seed 3"),
                 {path("out"), log, ", written 20", "filter.particles 5"});

@@ -174,6 +174,11 @@ class Measures(unittest.TestCase):
             hitos.trajectory_error(path.tolist(), path)
         with self.assertRaisesRegex(ValueError, r"\(2227, 3\)"):
             hitos.trajectory_error(path[:, :3], path)
+        for value in (np.nan, np.inf, -1e200):
+            with self.assertRaisesRegex(ValueError, "estimate: .* row 3, column 2"):
+                wrong = path.copy()
+                wrong[3, 2] = value
+                hitos.trajectory_error(wrong, path)
         # What lies otherwise in memory is read as it is.
         self.assertEqual(hitos.trajectory_error(np.asfortranarray(path)[::2], path[::2]).rmse,
                          hitos.trajectory_error(path[::2], path[::2]).rmse)

@@ -198,6 +198,21 @@ struct EndOfFollowing {
     }
 };
 
+/// Those without which a run has fewer files; a world has its own reference.
+std::vector<std::string> given_options(const RunOptions& options, const std::string& source) {
+    const bool world = is_world_file(source);
+    std::vector<std::string> given;
+    const auto note = [&given](bool whether, const char* option) {
+        if (whether) given.emplace_back(option);
+    };
+    note(!options.distances.empty(), "--distances");
+    note(options.uncertainty, "--uncertainty");
+    note(options.grid_of.has_value(), "--grid-of");
+    note(world || !options.reference.empty(), "--reference");
+    note(world || !options.reference_trajectory.empty(), "--reference-trajectory");
+    return given;
+}
+
 [[noreturn]] void end_before_the_first_scan() {
     fmt::print(stderr, "stopped before the first scan; nothing is written\n");
     throw CLI::RuntimeError(StopByRequest::status());
@@ -255,7 +270,8 @@ void run(const RunOptions& options, std::optional<LiveRun>& live) {
     check_outputs(options, tour);
     if (live) live->open_poses();
     std::unique_ptr<StagedFolder> folder(new StagedFolder(results_folder(options.out)));
-    if (!options.replace) refuse_another_run(options.out, configuration, also);
+    if (!options.replace)
+        refuse_another_run(options.out, configuration, also, given_options(options, source));
     check_file(options.figures);  // which may be in that folder
     check_file(options.hashes);
 

@@ -7,6 +7,8 @@
 
 #include <chrono>
 #include <ctime>
+#include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,10 +46,30 @@ std::string written_at(const std::filesystem::path& file) {
                                          held, place)));
 }
 
+constexpr std::size_t kMostNamed = 3;
+
+void refuse_fewer_files(const std::filesystem::path& folder,
+                        const std::map<std::string, std::string>& unasked) {
+    if (unasked.empty()) return;
+    std::vector<std::string> names;
+    std::set<std::string> ways;
+    for (const auto& [name, way] : unasked) {
+        names.push_back(names.size() < kMostNamed ? name : "…");
+        ways.insert(way);
+        if (names.size() > kMostNamed) names.resize(kMostNamed + 1);
+    }
+    throw FileError(
+        folder.string(),
+        verbatim(fmt::format("holds {} of this run, which would be gone: ask for them "
+                             "again ({}), choose another folder, or say --replace to do "
+                             "without them",
+                             fmt::join(names, ", "), fmt::join(ways, ", "))));
+}
+
 }  // namespace
 
 void refuse_another_run(const std::filesystem::path& folder, const Configuracion& configuration,
-                        std::span<const std::string> also) {
+                        std::span<const std::string> also, std::span<const std::string> options) {
     if (const auto name = somebodys_file(folder, also))
         refuse(folder, fmt::format("{}, which is of no run", *name), "its");
     const std::filesystem::path summary = folder / "summary.json";
@@ -65,7 +87,6 @@ void refuse_another_run(const std::filesystem::path& folder, const Configuracion
         refuse(folder, fmt::format("the results of a run of another source, {}{}",
                                    on_one_line(former.source.file), written));
     }
-    constexpr std::size_t kMostNamed = 3;
     std::vector<std::string> changes;
     for (const ConfigParameter* parameter : differences(former, configuration)) {
         if (changes.size() == kMostNamed) {
@@ -74,9 +95,12 @@ void refuse_another_run(const std::filesystem::path& folder, const Configuracion
         }
         changes.push_back(fmt::format("{} {}", parameter->key, parameter->text(former)));
     }
-    if (changes.empty()) return;
-    refuse(folder, fmt::format("the results of another run of {}{}, with {}",
-                               on_one_line(former.source.file), written, fmt::join(changes, ", ")));
+    if (!changes.empty()) {
+        refuse(folder,
+               fmt::format("the results of another run of {}{}, with {}",
+                           on_one_line(former.source.file), written, fmt::join(changes, ", ")));
+    }
+    refuse_fewer_files(folder, unasked_files(folder, also, options));
 }
 
 bool tell_kept(const std::filesystem::path& folder) {

@@ -30,8 +30,16 @@ StudyObserver StudyTeller::observer() {
         if (!begun_) {
             line_->say(fmt::format("{} to do, {} found done", plural(progress.runs, "run"),
                                    progress.reused));
+            for (const std::filesystem::path& folder : progress.replaces) {
+                line_->say(
+                    fmt::format("note: {} holds another study; once this one is whole it "
+                                "takes its place, and runs that it does not have are gone: "
+                                "--out with another folder keeps both",
+                                on_one_line(folder.string())));
+            }
             begun_ = true;
         }
+        if (progress.running_number == 0) return;  // none is under way yet
         if (!progress.failure.empty()) line_->say("run failed: " + progress.failure);
         finished_ = progress.finished;
         line_->show(progress.finished, progress.fraction,

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arrays.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <cstddef>
 
 #include "arguments.hpp"
@@ -75,6 +78,15 @@ Trajectory trajectory_from(const py::object& array, const char* name) {
     Trajectory trajectory;
     trajectory.reserve(static_cast<std::size_t>(at.shape(0)));
     for (py::ssize_t i = 0; i < at.shape(0); ++i) {
+        for (py::ssize_t column = 0; column < 4; ++column) {
+            // As of files: squares of what is greater are no numbers.
+            constexpr double kGreatest = 1e12;
+            if (!(std::abs(at(i, column)) <= kGreatest)) {
+                throw py::value_error(
+                    fmt::format("{}: expected numbers up to {:g}, found {} in row {}, column {}",
+                                name, kGreatest, at(i, column), i, column));
+            }
+        }
         trajectory.push_back({at(i, 0), {at(i, 1), at(i, 2), at(i, 3)}});
     }
     return trajectory;

@@ -282,10 +282,11 @@ class TourExamination {
     std::uint64_t longest_same_run_ = 0;   ///< of those that are long on the way too
     std::uint64_t scans_of_one_time_ = 0;  ///< as the scan before
     std::uint64_t last_scan_line_ = 0;
-    std::vector<std::uint32_t> same_rays_;  ///< how often each ended where it did before the turn
-    std::vector<float> near_ranges_;        ///< where each ended near the robot, else 0
-    std::uint64_t turns_ = 0;               ///< how often the robot turned between two scans
-    double turned_at_rad_ = 0.0;            ///< turned_rad_ where near_ranges_ are from
+    std::vector<std::uint32_t> same_rays_;   ///< how often each ended where it did before the turn
+    std::vector<float> near_ranges_;         ///< how far each went, 0 where nobody knows [m]
+    std::uint64_t turns_ = 0;                ///< how often the robot turned between two scans
+    static constexpr double kOwnSize = 1.0;  // no robot of this kind is larger [m]
+    double turned_at_rad_ = 0.0;             ///< turned_rad_ where near_ranges_ are from
     /// Of the way, by twice its direction on the robot, so that ahead and back are one [m].
     double along_m_ = 0.0;
     double across_m_ = 0.0;

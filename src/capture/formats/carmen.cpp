@@ -162,6 +162,7 @@ class ConversorCarmen final : public RangeConversor {
     Pose pose_robot_laser_;           // from parameters
     std::optional<Pose> last_mount_;  // from ROBOTLASER1 lines
     std::string scan_message_;        // the one in use: the first that gave a scan
+    double last_scan_s_ = 0.0;        // when it gave the last one
     std::optional<double> from_logger_s_;
     bool odometry_of_scans_ = true;  // or of ODOM lines alone
 };
@@ -186,9 +187,13 @@ bool ConversorCarmen::parse_scan(const RawLine& line, Readings& out) {
     out.time_s = message.time_s;
     out.fan = message.fan;
     out.carries_odometry = odometry_of_scans_ && message.pose_odom_robot.has_value();
-    // Raw and robot lasers are one scan logged twice, where both are logged.
-    if (scan_message_.empty()) scan_message_ = name;
-    return scan_message_ == name;
+    // Raw and robot lasers are one scan logged twice, where both are logged; where the one in use
+    // is logged no more, as in logs of two versions that somebody has joined, the other goes on.
+    constexpr double kSilence = 5.0;  // [s]
+    if (scan_message_.empty() || out.time_s > last_scan_s_ + kSilence) scan_message_ = name;
+    if (scan_message_ != name) return false;
+    last_scan_s_ = out.time_s;
+    return true;
 }
 
 void ConversorCarmen::parse_parameter(Fields fields) {

@@ -126,6 +126,10 @@ void expect_results_unchanged(const std::filesystem::path& folder) {
     });
 }
 
+bool same_tour(const KeptRun& a, const KeptRun& b) {
+    return a.drive == b.drive && same_log(a.configuration, b.configuration);
+}
+
 bool same_log(const Configuracion& a, const Configuracion& b) {
     // A file holds no bytes that are no UTF-8.
     if (in_utf8(a.source.file) == in_utf8(b.source.file)) return true;

@@ -155,8 +155,9 @@ void warn_of_worse_path(const Algoritmo& run, RunSummary& summary) {
     const double odometry_m = summary.odometry_error->rmse_m;
     if (path_m <= std::max(odometry_m * kAsMuch, odometry_m + kHardly)) return;
     const bool registered = run.registration() != nullptr;
-    const bool may_be =
-        !run.configuration().extraction.circles.find && !run.shows_landmarks_alone();
+    // Which is for recordings: what a world is to show, it may show on purpose.
+    const bool may_be = !run.configuration().extraction.circles.find &&
+                        !run.shows_landmarks_alone() && !run.reader().truth();
     summary.quality.warnings.push_back(
         {registered ? HITOS_TEXT("Advice",
                                  "Odometry alone is nearer to the reference than the path (%1): "

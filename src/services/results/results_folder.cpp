@@ -2,6 +2,7 @@
 // Which files of a folder are those of a run that another one may take the place of.
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -23,6 +24,12 @@
 namespace hitos {
 
 void prepare_output_folder(const std::filesystem::path& folder) {
+    if (is_there(folder / kSummaryFile)) {
+        throw FileError(folder.string(),
+                        HITOS_TEXT("Errors",
+                                   "holds the results of a run, which would not be what they "
+                                   "were; choose another folder"));
+    }
     made_output_folder(folder);
     // Destroyed without commit, the probe leaves nothing behind.
     AtomicFile(folder / ".hitos-probe").write("");
@@ -86,6 +93,26 @@ std::optional<std::string> somebodys_file(const std::filesystem::path& folder,
         if (!former(name) && std::ranges::any_of(run_outputs(), writes)) return name;
     }
     return std::nullopt;
+}
+
+std::map<std::string, std::string> unasked_files(const std::filesystem::path& folder,
+                                                 std::span<const std::string> also,
+                                                 std::span<const std::string> options) {
+    std::map<std::string, std::string> unasked;
+    if (!is_there(folder)) return unasked;
+    FormerFiles former(folder);
+    const auto lacks = [](std::span<const std::string> asked, const std::string& by) {
+        return !by.empty() && std::ranges::find(asked, by) == asked.end();
+    };
+    for (const auto& entry : folder_entries(folder)) {
+        const std::string name = entry.path().filename().string();
+        const auto output = std::ranges::find_if(
+            run_outputs(), [&](const RunOutput& one) { return one.owns(name); });
+        if (output == run_outputs().end() || !former(name)) continue;
+        if (lacks(also, output->word)) unasked.emplace(name, "--write " + output->word);
+        if (lacks(options, output->option)) unasked.emplace(name, output->option);
+    }
+    return unasked;
 }
 
 bool holds_finished_run(const std::filesystem::path& folder) {

@@ -90,6 +90,13 @@ RunOutput where(std::function<bool(const FinishedRun&)> wanted, RunOutput output
     return output;
 }
 
+/// Where there is what only this option of a run gives.
+RunOutput given(const char* option, std::function<bool(const FinishedRun&)> wanted,
+                RunOutput output) {
+    output.option = option;
+    return where(std::move(wanted), std::move(output));
+}
+
 /// Where it is asked for, by the word or by one of its names.
 RunOutput asked(const char* word, const char* purpose, RunOutput output) {
     output.word = word;
@@ -322,11 +329,12 @@ std::vector<RunOutput> make_outputs() {
                   best_path)),
         rereading(where(shows_space, whole_grid("grid_best", best_path))),
         rereading(where(shows_space, grid("grid_odometry", odometry_grid, odometry_path))),
-        rereading(where(of_a_particle,
+        rereading(given("--grid-of", of_a_particle,
                         whole_grid(std::string("grid_particle_") + kNumber, particle_path))),
-        where([](const Run& r) { return !r.summary.distances.empty(); },
-              one_text("distances.csv",
-                       [](const Run& r) { return distances_csv(r.summary.distances); })),
+        given(
+            "--distances", [](const Run& r) { return !r.summary.distances.empty(); },
+            one_text("distances.csv",
+                     [](const Run& r) { return distances_csv(r.summary.distances); })),
         where(
             [](const Run& r) {
                 return r.run.registration() != nullptr &&
@@ -342,15 +350,20 @@ std::vector<RunOutput> make_outputs() {
                 return !tours.empty() && tours.back().found.has_value();
             },
             output({"changes.csv", "changes.png"}, write_changes)),
-        where([](const Run& r) { return r.references.trajectory.has_value(); },
-              output({"paths.png", "paths.gp"}, write_paths)),
-        rereading(where([](const Run& r) { return !r.references.walls.empty() && shows_space(r); },
-                        output({"odometry_scans.png", "odometry_scans.gp"}, write_odometry_scans))),
-        where([](const Run& r) { return r.run.options().uncertainty; },
-              output({"uncertainty.png", "uncertainty.csv", "uncertainty.dat", "uncertainty.gp"},
-                     [](const Run& r, const Folder& folder) {
-                         return write_uncertainty(r.run.uncertainty(), folder);
-                     })),
+        given(
+            "--reference-trajectory",
+            [](const Run& r) { return r.references.trajectory.has_value(); },
+            output({"paths.png", "paths.gp"}, write_paths)),
+        rereading(given(
+            "--reference",
+            [](const Run& r) { return !r.references.walls.empty() && shows_space(r); },
+            output({"odometry_scans.png", "odometry_scans.gp"}, write_odometry_scans))),
+        given(
+            "--uncertainty", [](const Run& r) { return r.run.options().uncertainty; },
+            output({"uncertainty.png", "uncertainty.csv", "uncertainty.dat", "uncertainty.gp"},
+                   [](const Run& r, const Folder& folder) {
+                       return write_uncertainty(r.run.uncertainty(), folder);
+                   })),
         one_file("map.dxf", [](const Run& r,
                                const Folder& file) { write_dxf(r.map, r.segments, r.best, file); }),
         asked("svg", "the map as a figure for papers, to edit",

@@ -50,6 +50,8 @@ struct RunOutput {
     /// By which it is asked for, and half a sentence for help texts; empty: it needs no asking.
     std::string word = {};
     std::string purpose = {};
+    /// Likewise the option without which there is nothing to write.
+    std::string option = {};
 
     /// The names of the files of this run.
     std::vector<std::string> files(const FinishedRun& finished) const;

@@ -89,12 +89,6 @@ GraphFolder::GraphFolder(std::filesystem::path folder,
     for (const char* name : {"graph.svg", "graph.png", "edits.txt", "graph.g2o"}) {
         files_.push_back(folder_ / name);
     }
-    if (is_there(folder_ / "summary.json")) {
-        throw FileError(folder_.string(),
-                        HITOS_TEXT("Errors",
-                                   "holds the results of a run, which would not be what they "
-                                   "were; choose another folder"));
-    }
     check_apart(files_, inputs);
     const bool missing = !is_there(folder_);
     prepare_output_folder(folder_);

@@ -111,10 +111,15 @@ class Crew {
           parts_(tasks_.size(), 0.0) {
         progress_.runs = tasks_.size();
         for (const StudyOutcome& outcome : outcomes) progress_.reused += outcome.reused;
+        for (const StudyFolder& folder : folders) {
+            if (folder.is_beside()) progress_.replaces.push_back(folder.place());
+        }
         for (const Task& task : tasks_) expect(task);
     }
 
     void work() {
+        // Of it nobody hears later, where all runs are found done.
+        if (options_.observer && !progress_.replaces.empty()) options_.observer(progress_);
         int threads = options_.threads;
         if (threads == 0) threads = static_cast<int>(std::thread::hardware_concurrency());
         const std::size_t count =

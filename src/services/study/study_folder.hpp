@@ -58,6 +58,7 @@ class StudyFolder {
     const StudyLayout& work() const { return work_; }
     /// Whether another study's results are still in place.
     bool is_beside() const { return work_.folder != target_.folder; }
+    const std::filesystem::path& place() const { return target_.folder; }
 
     /// Makes what runs need.
     void begin();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -149,6 +150,28 @@ TEST(ConversorCarmen, ALaserLoggedRawAndAsRobotLaserIsReadOnce) {
     EXPECT_EQ(carmen(robot + raw).scans.size(), 1U);  // whichever comes first
     EXPECT_EQ(log.odometry.size(), 1U);
     EXPECT_EQ(log.report.skipped, 1U);
+}
+
+TEST(ConversorCarmen, WhereOneMessageEndsTheOtherGoesOn) {
+    std::string text;
+    const auto robot = [&](double time_s) {
+        text += fmt::format(
+            "ROBOTLASER1 0 -1.5 3.0 1.5 20.0 0.01 0 3 1 2 3 0 0 0 0 0 0 0 0 0 0 0 0 {} h 1\n",
+            time_s);
+    };
+    const auto raw = [&](double time_s) {
+        text += fmt::format("RAWLASER1 0 -1.5 3.0 1.5 20.0 0.01 0 3 1 2 3 0 {} h 1\n", time_s);
+    };
+    for (const double time_s : {1.0, 2.0, 3.0}) robot(time_s);
+    for (const double time_s : {4.0, 5.0, 8.5, 9.5, 10.5}) raw(time_s);
+    // One that comes back is the same laser again.
+    for (const double time_s : {10.6, 11.6}) {
+        robot(time_s);
+        raw(time_s);
+    }
+    std::vector<double> times;
+    for (const Scan& scan : carmen(text).scans) times.push_back(scan.time_s);
+    EXPECT_EQ(times, (std::vector<double>{1.0, 2.0, 3.0, 8.5, 9.5, 10.5, 10.6, 11.6}));
 }
 
 TEST(ConversorCarmen, IgnoresOtherMessages) {

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFile>
 #include <QStandardPaths>
+#include <algorithm>
 #include <utility>
 
 #include "look/prompts.hpp"
@@ -101,10 +102,10 @@ void Animation::step() {
         end(words_of(problem));
         return;
     }
-    if (now.steps < scan_ || plan_.to - scan_ < plan_.every) {
+    if (now.steps < scan_ || scan_ >= plan_.to) {
         make_film();
-    } else {
-        scan_ += plan_.every;
+    } else {  // the last frame is of the last scan that was asked for
+        scan_ = std::min(scan_ + plan_.every, plan_.to);
         session_.seek(scan_);
     }
     emit progressed(written_);

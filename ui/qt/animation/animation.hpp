@@ -21,7 +21,8 @@ struct AnimationPlan {
     int frames_per_second = 25;
     QString folder;  ///< that is not there yet
 
-    quint64 frames() const { return (to - from) / every + 1; }
+    /// The last one is of the last scan, however far it is from the one before.
+    quint64 frames() const { return (to - from + every - 1) / every + 1; }
 };
 
 /// The program that makes a film of frames: ffmpeg (film.mp4), else ImageMagick's convert

@@ -5,6 +5,7 @@
 #include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <QUrl>
 #include <cmath>
 
@@ -31,11 +32,20 @@ std::unique_ptr<Ui::StudyDialog> make_ui(StudyDialog* dialog) {
     return ui;
 }
 
+/// The run's label, whose last word is in the window's language.
+QString run_words(const std::string& label) {
+    static const QRegularExpression seed("(?:^|(?<= ))seed (\\d+)$");
+    QString words = QString::fromStdString(label);
+    const QRegularExpressionMatch found = seed.match(words);
+    if (!found.hasMatch()) return words;
+    return words.left(found.capturedStart()) + StudyDialog::tr("seed %1").arg(found.captured(1));
+}
+
 QString first_failure(const StudyOutcome& outcome) {
     for (std::size_t run = 0; run < outcome.records.size(); ++run) {
         const StudyRecord& record = outcome.records[run];
         if (record.ok || record.problem.empty()) continue;
-        return QString::fromStdString(outcome.plan.label(run)) + ": " + words_of(record.problem);
+        return run_words(outcome.plan.label(run)) + ": " + words_of(record.problem);
     }
     return {};
 }
@@ -147,10 +157,11 @@ void StudyDialog::start() {
 void StudyDialog::show_progress(const StudyProgress& progress) {
     ui_->progress->setValue(static_cast<int>(std::lround(progress.fraction * 1000.0)));
     if (!ui_->stop->isEnabled()) return;  // it is told already that it stops
+    if (progress.running_number == 0) return;
     QStringList words{tr("Run %1 of %2: %3")
                           .arg(progress.running_number)
                           .arg(progress.runs)
-                          .arg(QString::fromStdString(progress.running))};
+                          .arg(run_words(progress.running))};
     if (progress.reused > 0) words << tr("done before: %1").arg(progress.reused);
     if (progress.failed > 0) words << tr("failed: %1").arg(progress.failed);
     show_verdict(words.join(" · "), progress.failed > 0 ? "error" : "muted");
@@ -232,7 +243,7 @@ void StudyDialog::open_run() {
     for (std::size_t run = 0; run < runner_.records().size(); ++run) {
         const StudyRecord& record = runner_.records()[run];
         if (!record.ok) continue;
-        QString label = QString::fromStdString(plan.label(run));
+        QString label = run_words(plan.label(run));
         if (const auto& error = record.figures["error_m"])
             label += tr(": map error %1 m").arg(*error, 0, 'f', 4);
         if (!of_chosen && ui_->plots->chosen() == plan.cell_of(run))

@@ -203,8 +203,7 @@ void CompareWindow::compare(const std::vector<ListedRun>& runs) {
     } else if (present) {  // what it was before, if there is any
         for (const ListedRun& kept : std::span(all).subspan(1)) {
             const KeptRun& now = *all.front().run;
-            if (same_log(kept.run->configuration, now.configuration) && !same_run(*kept.run, now))
-                left = {kept.number, false};
+            if (same_tour(*kept.run, now) && !same_run(*kept.run, now)) left = {kept.number, false};
         }
     }
     Choice right{left.number, true};
@@ -337,7 +336,7 @@ PathFigures CompareWindow::figures_of(const Compared& of) const {
 std::optional<Pose> CompareWindow::laid_on_left(const Compared& of) const {
     const Compared& left = sides_.front();
     if (!of.run || !left.run || of.path().empty() || left.path().empty()) return Pose{};
-    if (!same_log(of.run->configuration, left.run->configuration)) return std::nullopt;
+    if (!same_tour(*of.run, *left.run)) return std::nullopt;
     if (of.path().front() == left.path().front() && !figures_->isChecked()) return Pose{};
     if (figures_->isChecked() && strip_->aligned()) {
         if (const auto error = trajectory_error(of.path(), left.path()))
@@ -408,7 +407,7 @@ QString CompareWindow::verdict() const {
     const QString different = compared_words(right.run->configuration, left.run->configuration);
     QStringList words{different.isEmpty() ? tr("Left and right have the same configuration.")
                                           : tr("The right one differs in: %1").arg(different)};
-    if (!same_log(left.run->configuration, right.run->configuration)) {
+    if (!same_tour(*left.run, *right.run)) {
         words << tr("The logs differ: %1 and %2").arg(log_of(*left.run), log_of(*right.run));
     }
     for (const Compared* of : compared()) {

@@ -25,8 +25,7 @@ bool has_ended(const Snapshot& state) {
 }  // namespace
 
 bool same_run(const KeptRun& a, const KeptRun& b) {
-    return a.scans == b.scans && a.finished == b.finished &&
-           same_log(a.configuration, b.configuration) &&
+    return a.scans == b.scans && a.finished == b.finished && same_tour(a, b) &&
            differences(a.configuration, b.configuration).empty();
 }
 
@@ -41,7 +40,9 @@ QColor colour_of(const ListedRun& listed) {
 }
 
 QString log_of(const KeptRun& run) {
-    return QFileInfo(QString::fromStdString(run.configuration.source.file)).fileName();
+    const QString name =
+        QFileInfo(QString::fromStdString(run.configuration.source.file)).fileName();
+    return run.drive == 0 ? name : run_words(QT_TRANSLATE_NOOP("RunList", "%1, driven")).arg(name);
 }
 
 QString source_words(const ListedRun& listed) {
@@ -81,6 +82,7 @@ std::shared_ptr<const KeptRun> RunList::present() const {
 KeptRun RunList::run_at(const Snapshot* state) const {
     KeptRun run;
     run.configuration = session_.configuration();
+    run.drive = session_.drive();
     if (state == nullptr || state->steps == 0) return run;
     run.scans = state->steps;
     run.finished = has_ended(*state);
@@ -110,7 +112,7 @@ void RunList::measure(KeptRun& run) const {
 }
 
 void RunList::measure_listed(ListedRun& listed) const {
-    if (!same_log(listed.run->configuration, session_.configuration())) return;
+    if (!of_present_tour(*listed.run)) return;
     auto run = std::make_shared<KeptRun>(*listed.run);
     run->figures = listed.told;
     measure(*run);
@@ -128,10 +130,13 @@ bool RunList::present_rests() const {
     return session_.progress().state != Progress::State::running;
 }
 
+bool RunList::of_present_tour(const KeptRun& run) const {
+    return run.drive == session_.drive() && same_log(run.configuration, session_.configuration());
+}
+
 const Trajectory* RunList::reference_of(const KeptRun& run) const {
     const std::optional<Trajectory>& reference = session_.references().trajectory;
-    const bool known = reference && same_log(run.configuration, session_.configuration());
-    return known ? &*reference : nullptr;
+    return reference && of_present_tour(run) ? &*reference : nullptr;
 }
 
 ListedRun RunList::open(const QString& folder) {

@@ -68,6 +68,7 @@ class RunList final : public QObject {
     ListedRun add(ListedRun listed);
     void measure(KeptRun& run) const;
     void measure_listed(ListedRun& listed) const;
+    bool of_present_tour(const KeptRun& run) const;
     void measure_anew();
 
     Session& session_;

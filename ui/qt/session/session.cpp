@@ -122,6 +122,7 @@ void Session::open(const Configuracion& configuration, std::shared_ptr<const Sim
     const bool counted = incoming == incoming_ && configuration.source == configuration_.source;
     if (incoming && !counted) incoming->count(configuration);
     configuration_ = configuration;
+    if (live && live != live_) ++last_drive_;
     live_ = std::move(live);
     give_up_incoming(std::exchange(incoming_, std::move(incoming)));
     following_ = is_live();

@@ -49,6 +49,8 @@ class Session final : public QObject {
     void set_live(const Configuracion& configuration, std::shared_ptr<const SimulatedTour> tour);
     /// The tour that is or was driven; null where the run is of a log or world.
     const std::shared_ptr<const SimulatedTour>& live_tour() const { return live_; }
+    /// Which of those that were driven so far that is; 0: none.
+    quint64 drive() const { return live_ ? last_drive_ : 0; }
     /// The same, or the one that the run of a world goes along; null where it is of a log.
     const std::shared_ptr<const SimulatedTour>& simulated_tour() const { return simulated_; }
     /// The same on a tour that comes in, which the configuration's source names; it is so for as
@@ -143,6 +145,7 @@ class Session final : public QObject {
 
     Configuracion configuration_;
     std::shared_ptr<const SimulatedTour> live_;
+    quint64 last_drive_ = 0;
     std::shared_ptr<const SimulatedTour> simulated_;
     std::shared_ptr<IncomingTour> incoming_;
     bool opening_ = false;    ///< a source, which may take its time

@@ -3853,6 +3853,14 @@
         <source>mend what tells it, and record again: the scans alone do not show enough of how it moved</source>
         <translation>arregle lo que la da y grabe de nuevo: los barridos solos no muestran lo bastante de cómo se movió</translation>
     </message>
+    <message>
+        <source>%1 rays read the same distance all the time, %2 m and more, however the robot turns: they are stuck, and draw walls that are not there</source>
+        <translation>%1 rayos leen siempre la misma distancia, %2 m o más, gire como gire el robot: están atascados, y dibujan paredes que no existen</translation>
+    </message>
+    <message>
+        <source>leave these rays out of the log, or record it with a laser that is whole</source>
+        <translation>deje esos rayos fuera del registro, o grábelo con un láser que esté entero</translation>
+    </message>
 </context>
 <context>
     <name>Finding</name>
@@ -5876,6 +5884,10 @@
     <message>
         <source>run %1</source>
         <translation>ejecución %1</translation>
+    </message>
+    <message>
+        <source>%1, driven</source>
+        <translation>%1, conducido</translation>
     </message>
 </context>
 <context>
@@ -10012,6 +10024,10 @@
     <message>
         <source>Set what is chosen in the plot in the main window</source>
         <translation>Poner en la ventana principal lo elegido en la gráfica</translation>
+    </message>
+    <message>
+        <source>seed %1</source>
+        <translation>semilla %1</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,9 @@ namespace hitos {
 /// A run as its folder has it.
 struct KeptRun {
     Configuracion configuration;
+    /// Of a tour that somebody has driven in the world of the configuration: which of those that
+    /// the program knows; 0 of all others.
+    std::uint64_t drive = 0;
     std::uint64_t scans = 0;
     bool finished = false;  ///< the tour is over, and what smooths the path has done it
     double seconds = 0.0;   ///< of wall time that its steps took
@@ -41,6 +44,9 @@ KeptRun read_results(const std::filesystem::path& folder);
 /// Throws FormatError where one of the files that read_results() reads is not the one that the
 /// folder's summary names, FileError where there is no summary.
 void expect_results_unchanged(const std::filesystem::path& folder);
+
+/// Whether both are of one tour.
+bool same_tour(const KeptRun& a, const KeptRun& b);
 
 /// Whether both are of one log or world, however its path is written and whether or not it is
 /// there.

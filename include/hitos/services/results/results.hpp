@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -100,7 +101,7 @@ std::string to_json(std::span<const RunLoop> loops);
 std::string to_json(std::span<const MeasuredDistance> distances);
 
 /// Makes the folder (and its parents) and makes sure that files can be written there. Throws
-/// FileError.
+/// FileError, where it holds the results of a run too: they would not be what they were.
 void prepare_output_folder(const std::filesystem::path& folder);
 
 /// Whether a run may write a file of that name.
@@ -110,6 +111,12 @@ bool is_results_file(const std::string& name);
 /// with the outputs that need no asking and those asked for by the words `also`.
 std::optional<std::string> somebodys_file(const std::filesystem::path& folder,
                                           std::span<const std::string> also);
+
+/// The files of the run in the folder that the same run would not write now, asked for these
+/// outputs (by their words) and given these options: the words or options that would ask for each.
+std::map<std::string, std::string> unasked_files(const std::filesystem::path& folder,
+                                                 std::span<const std::string> also,
+                                                 std::span<const std::string> options);
 
 /// Whether the folder has the results of a run that went on to its tour's end, as far as can be
 /// known.

@@ -94,7 +94,9 @@ struct StudyProgress {
     std::size_t runs = 0;      ///< to do, of all studies; those found done are not among them
     std::size_t finished = 0;  ///< of these, the failed among them
     std::size_t failed = 0;
-    std::size_t reused = 0;          ///< found done
+    std::size_t reused = 0;  ///< found done
+    /// Folders that hold other studies, of which these take the places once they are whole.
+    std::vector<std::filesystem::path> replaces;
     double fraction = 0.0;           ///< of the runs to do, running ones counted by their part
     std::string running;             ///< label of a run under way
     std::size_t running_number = 0;  ///< its number, from 1

@@ -108,7 +108,7 @@ class JudgedRun {
             pose.pose = {scale * pose.pose.x, scale * pose.pose.y, 0.0};
     }
     RunEvidence evidence(bool registered = true) const {
-        return {configuration, tour, odometry, registered ? &registration : nullptr, nullptr};
+        return {configuration, tour, odometry, registered ? &registration : nullptr};
     }
 
     static constexpr Pose kHalf{0.5, 0.0, 0.0};
