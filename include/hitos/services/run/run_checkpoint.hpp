@@ -70,8 +70,7 @@ class RunCheckpoints {
         std::size_t bytes;
     };
     using ByScan = std::map<std::uint64_t, Kept>;  // by scans taken
-    // Nearer to each other copying them would take a tenth of the run's time.
-    static constexpr std::uint64_t kFirstSpacing = 32;
+    static constexpr std::uint64_t kFirstSpacing = 8;  // where plots measure maps too
 
     std::size_t most_bytes_;
     std::uint64_t spacing_ = kFirstSpacing;

@@ -388,7 +388,7 @@ TEST(RunCheckpoints, StayWithinTheirMemoryAndGrowApart) {
     EXPECT_LE(few.bytes(), kLittle);
     EXPECT_GT(few.bytes(), kLittle / 2);  // most of it is in use
     EXPECT_LE(many.count(), RunCheckpoints::kMost);
-    EXPECT_GT(many.count(), RunCheckpoints::kMost / 4);
+    EXPECT_GT(many.count(), RunCheckpoints::kMost / 3);
     EXPECT_GT(few.spacing(), many.spacing());
     EXPECT_EQ(many.before(7), nullptr);
     const auto at = many.before(599);
