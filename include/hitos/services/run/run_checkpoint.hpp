@@ -69,7 +69,7 @@ class RunCheckpoints {
         std::shared_ptr<const RunCheckpoint> checkpoint;
         std::size_t bytes;
     };
-    using ByScan = std::map<std::uint64_t, Kept>;  // by scans taken
+    using ByScan = std::map<std::uint64_t, Kept>;      // by scans taken
     static constexpr std::uint64_t kFirstSpacing = 8;  // where plots measure maps too
 
     std::size_t most_bytes_;
