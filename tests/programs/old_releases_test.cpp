@@ -128,7 +128,9 @@ TEST_F(OldReleases, FilesOfRunsAreRead) {
 TEST_F(OldReleases, RunsAreDoneAgain) {
     each([&] {
         // Into the folder of the former ones, which are known to be of the same run.
-        done("run filtered/tour.log.gz --config filtered/config.cfg --out filtered");
+        done(
+            "run filtered/tour.log.gz --config filtered/config.cfg --out filtered "
+            "--write g2o,landmarks,map-server");
         EXPECT_EQ(summary("filtered")["scans"], summary("edited")["scans"]);
         done("verify filtered");
         EXPECT_THAT(content(here("filtered/config.cfg")), HasSubstr("\nfile = \"tour.log.gz\"\n"))
