@@ -245,10 +245,12 @@ struct SensorRecta {
         const double a = origin + ahead * reach.from.x + left * reach.from.y;
         const double b = origin + ahead * reach.to.x + left * reach.to.y;
         const double behind = pose.x * line.cosine + pose.y * line.sine - line.rho;
-        constexpr double kEndless = std::numeric_limits<double>::infinity();
         const double side = behind > 0.0 ? -1.0 : 1.0;
-        return {reach.known ? (a < b ? a : b) : -kEndless, reach.known ? (a < b ? b : a) : kEndless,
-                reach.sided ? side : 0.0};
+        Extent seen;  // endless
+        seen.low = reach.known ? (a < b ? a : b) : seen.low;
+        seen.high = reach.known ? (a < b ? b : a) : seen.high;
+        seen.side = reach.sided ? side : 0.0;
+        return seen;
     }
     static Extent placed(const SeenReach& reach, const Pose& pose, const Recta& landmark) {
         return placed(reach, lane_of(pose), LineLane::of(landmark, {}));
