@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hitos/base/error.hpp"
@@ -46,17 +47,21 @@ std::string written_at(const std::filesystem::path& file) {
                                          held, place)));
 }
 
-constexpr std::size_t kMostNamed = 3;
+/// The first few of many.
+void name_one(std::vector<std::string>& named, std::string one) {
+    constexpr std::size_t kMostNamed = 3;
+    if (named.size() > kMostNamed) return;
+    named.push_back(named.size() == kMostNamed ? "…" : std::move(one));
+}
 
 void refuse_fewer_files(const std::filesystem::path& folder,
                         const std::map<std::string, std::string>& unasked) {
     if (unasked.empty()) return;
     std::vector<std::string> names;
     std::set<std::string> ways;
-    for (const auto& [name, way] : unasked) {
-        names.push_back(names.size() < kMostNamed ? name : "…");
+    for (const auto& [file, way] : unasked) {
+        name_one(names, file);
         ways.insert(way);
-        if (names.size() > kMostNamed) names.resize(kMostNamed + 1);
     }
     throw FileError(
         folder.string(),
@@ -88,13 +93,8 @@ void refuse_another_run(const std::filesystem::path& folder, const Configuracion
                                    on_one_line(former.source.file), written));
     }
     std::vector<std::string> changes;
-    for (const ConfigParameter* parameter : differences(former, configuration)) {
-        if (changes.size() == kMostNamed) {
-            changes.emplace_back("…");
-            break;
-        }
-        changes.push_back(fmt::format("{} {}", parameter->key, parameter->text(former)));
-    }
+    for (const ConfigParameter* parameter : differences(former, configuration))
+        name_one(changes, fmt::format("{} {}", parameter->key, parameter->text(former)));
     if (!changes.empty()) {
         refuse(folder,
                fmt::format("the results of another run of {}{}, with {}",

@@ -33,7 +33,7 @@ std::unique_ptr<Ui::StudyDialog> make_ui(StudyDialog* dialog) {
 }
 
 /// The run's label, whose last word is in the window's language.
-QString run_words(const std::string& label) {
+QString label_words(const std::string& label) {
     static const QRegularExpression seed("(?:^|(?<= ))seed (\\d+)$");
     QString words = QString::fromStdString(label);
     const QRegularExpressionMatch found = seed.match(words);
@@ -45,7 +45,7 @@ QString first_failure(const StudyOutcome& outcome) {
     for (std::size_t run = 0; run < outcome.records.size(); ++run) {
         const StudyRecord& record = outcome.records[run];
         if (record.ok || record.problem.empty()) continue;
-        return run_words(outcome.plan.label(run)) + ": " + words_of(record.problem);
+        return label_words(outcome.plan.label(run)) + ": " + words_of(record.problem);
     }
     return {};
 }
@@ -161,7 +161,7 @@ void StudyDialog::show_progress(const StudyProgress& progress) {
     QStringList words{tr("Run %1 of %2: %3")
                           .arg(progress.running_number)
                           .arg(progress.runs)
-                          .arg(run_words(progress.running))};
+                          .arg(label_words(progress.running))};
     if (progress.reused > 0) words << tr("done before: %1").arg(progress.reused);
     if (progress.failed > 0) words << tr("failed: %1").arg(progress.failed);
     show_verdict(words.join(" · "), progress.failed > 0 ? "error" : "muted");
@@ -243,7 +243,7 @@ void StudyDialog::open_run() {
     for (std::size_t run = 0; run < runner_.records().size(); ++run) {
         const StudyRecord& record = runner_.records()[run];
         if (!record.ok) continue;
-        QString label = run_words(plan.label(run));
+        QString label = label_words(plan.label(run));
         if (const auto& error = record.figures["error_m"])
             label += tr(": map error %1 m").arg(*error, 0, 'f', 4);
         if (!of_chosen && ui_->plots->chosen() == plan.cell_of(run))
