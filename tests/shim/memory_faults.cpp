@@ -39,12 +39,12 @@ std::atomic<long> allocations = 0;
 
 std::atomic<bool> is_told = false;
 
-/// cairo and fontconfig may end the program where they are refused memory, and nobody else may:
-/// that it was they is told.
+/// cairo, the pixman beneath it and fontconfig may end the program where they are refused memory,
+/// and nobody else may: that it was they is told.
 void tell_library(const void* caller) {
     Dl_info found{};
     if (is_told || ::dladdr(caller, &found) == 0 || found.dli_fname == nullptr) return;
-    for (const char* library : {"libcairo", "libfontconfig"}) {
+    for (const char* library : {"libcairo", "libpixman", "libfontconfig"}) {
         if (std::strstr(found.dli_fname, library) == nullptr) continue;
         is_told = true;
         report("refused", 0, library, "");
