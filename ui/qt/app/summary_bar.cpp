@@ -116,12 +116,19 @@ void fill_card(QFrame& frame, ParameterGroup card, const Configuracion& configur
     rows->setRowStretch(rows->rowCount(), 1);
 }
 
+/// Where titles end in dots they have to differ in their first letters.
+QString short_title(ParameterGroup card, const Configuracion& configuration) {
+    if (card == ParameterGroup::motion) return SummaryBar::tr("Motion");
+    if (card == ParameterGroup::observation) return SummaryBar::tr("Observation");
+    return title_of(card, configuration);
+}
+
 /// What differs from the default, and the log. Returns how wide it ought to be.
 int fill_chip(QFrame& frame, ParameterGroup card, const Configuracion& configuration) {
     auto* row = new QHBoxLayout(&frame);
     row->setContentsMargins(10, 3, 10, 3);
     row->setSpacing(8);
-    auto* title = new ElidedLabel(title_of(card, configuration));
+    auto* title = new ElidedLabel(short_title(card, configuration));
     set_role(title, "title");
     row->addWidget(title, 1);
     QStringList marked;

@@ -10181,6 +10181,14 @@
         <source>Changed; the default is %1.</source>
         <translation>Cambiado; el predeterminado es %1.</translation>
     </message>
+    <message>
+        <source>Motion</source>
+        <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>Observation</source>
+        <translation>Observación</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::TimeLine</name>
