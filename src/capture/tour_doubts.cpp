@@ -17,14 +17,18 @@ namespace {
 
 using Kind = TourFinding::Kind;
 
-constexpr std::array<std::string_view, 33> kWords{
+// Of rays that end at one distance.
+constexpr std::uint64_t kLeastTurns = 10;
+constexpr double kAlways = 0.9;
+
+constexpr std::array<std::string_view, 34> kWords{
     "clocks-apart",      "scan-delay",     "late-stamps",     "ray-times",      "parts-of-a-turn",
     "clock-speed",       "clock-set",      "clock-back",      "broken-stamps",  "coarse-stamps",
     "assumed-mounting",  "two-publishers", "mirrored-laser",  "turned-laser",   "wrong-fan",
     "misplaced-laser",   "no-odometry",    "unread-odometry", "still-odometry", "leaping-odometry",
     "sideways-odometry", "odometry-scale", "odometry-turns",  "odometry-units", "laser-units",
     "beyond-a-turn",     "blind-laser",    "foreign-scans",   "no-return",      "self-hits",
-    "frozen-laser",      "unfit-odometry", "unsure-drawing"};
+    "stuck-rays",        "frozen-laser",   "unfit-odometry",  "unsure-drawing"};
 
 }  // namespace
 
@@ -146,52 +150,54 @@ void TourExamination::doubt_stamps(std::vector<TourFinding>& found) const {
 
 /// Rays that end on the robot.
 void TourExamination::doubt_self_hits(std::vector<TourFinding>& found) const {
-    constexpr std::uint64_t kLeastTurns = 10;
-    constexpr double kAlways = 0.9;
     std::uint64_t own = 0;
-    std::uint64_t stuck = 0;
     float farthest = 0.0F;
-    float least_stuck = 0.0F;
-    for (std::size_t i = 0; i < same_rays_.size(); ++i) {
-        if (same_rays_[i] <= kAlways * static_cast<double>(turns_)) continue;
-        if (near_ranges_[i] >= static_cast<float>(kOwnSize)) {
-            least_stuck = stuck == 0 ? near_ranges_[i] : std::min(least_stuck, near_ranges_[i]);
-            ++stuck;
-            continue;
-        }
+    for (const Direction& direction : directions_) {
+        if (direction.near <= kAlways * static_cast<double>(turns_)) continue;
         ++own;
-        farthest = std::max(farthest, near_ranges_[i]);
+        farthest = std::max(farthest, direction.near_m);
     }
     // Of most of them it is another thing.
-    if (turns_ < kLeastTurns || 2 * (own + stuck) >= fan_.count) return;
+    if (turns_ < kLeastTurns || own == 0 || 2 * own >= fan_.count) return;
+    constexpr double kBeyond = 0.05;
+    const double least = std::ceil((static_cast<double>(farthest) + kBeyond) * 20.0) / 20.0;
+    found.push_back(
+        {Kind::self_hits,
+         static_cast<double>(own),
+         message(HITOS_TEXT("Errors",
+                            "%1 rays always end at the same distance, however the robot turns: "
+                            "on the robot itself; they draw its path as walls"),
+                 own),
+         {{marked(HITOS_TEXT("Errors", "leave out what is so near")),
+           set("source.min_range", fmt::format("{:.2f}", least))}}});
+}
+
+/// Rays that read one number wherever the laser looks, which is none that says that they saw
+/// nothing.
+void TourExamination::doubt_stuck_rays(std::vector<TourFinding>& found) const {
     constexpr std::uint64_t kFew = 3;  // of some lasers one or two at the fan's ends are always so
-    if (stuck >= kFew) {
-        found.push_back(
-            {Kind::self_hits,
-             static_cast<double>(stuck),
-             message(HITOS_TEXT(
-                         "Errors",
-                         "%1 rays read the same distance all the time, %2 m and more, however the "
-                         "robot turns: they are stuck, and draw walls that are not there"),
-                     stuck, fmt::format("{:.2f}", least_stuck)),
-             {{marked(
-                 HITOS_TEXT("Errors",
-                            "leave these rays out of the log, or record it with a laser that is "
-                            "whole"))}}});
+    const std::optional<GreatestRanges::Code> unseen = code_taken_for_walls();
+    std::uint64_t stuck = 0;
+    float nearest = 0.0F;
+    for (const Direction& direction : directions_) {
+        if (direction.stuck <= kAlways * static_cast<double>(turns_)) continue;
+        constexpr double kRounding = 1e-3;
+        if (unseen && static_cast<double>(direction.far_m) > unseen->least_m - kRounding) continue;
+        nearest = stuck == 0 ? direction.far_m : std::min(nearest, direction.far_m);
+        ++stuck;
     }
-    if (own > 0) {
-        constexpr double kBeyond = 0.05;
-        const double least = std::ceil((static_cast<double>(farthest) + kBeyond) * 20.0) / 20.0;
-        found.push_back(
-            {Kind::self_hits,
-             static_cast<double>(own),
-             message(HITOS_TEXT("Errors",
-                                "%1 rays always end at the same distance, however the robot turns: "
-                                "on the robot itself; they draw its path as walls"),
-                     own),
-             {{marked(HITOS_TEXT("Errors", "leave out what is so near")),
-               set("source.min_range", fmt::format("{:.2f}", least))}}});
-    }
+    if (turns_ < kLeastTurns || stuck < kFew || 2 * stuck >= fan_.count) return;
+    found.push_back(
+        {Kind::stuck_rays,
+         static_cast<double>(stuck),
+         message(
+             HITOS_TEXT("Errors",
+                        "%1 rays read the same distance all the time, %2 m and more, however the "
+                        "robot turns: they are stuck, and draw walls that are not there"),
+             stuck, fmt::format("{:.2f}", nearest)),
+         {{marked(HITOS_TEXT("Errors",
+                             "leave these rays out of the log, or record it with a laser that is "
+                             "whole"))}}});
 }
 
 /// A robot that drives sideways.
@@ -259,7 +265,10 @@ std::vector<TourFinding> TourExamination::findings(std::vector<TourFinding> told
     doubt_odometry(own);
     if (own.empty() && sees) doubt_stills(own);
     doubt_lost_rays(own);
-    if (!holds(own, Kind::laser_units) && !hangs) doubt_self_hits(own);
+    if (!holds(own, Kind::laser_units) && !hangs) {
+        doubt_self_hits(own);
+        doubt_stuck_rays(own);
+    }
     if (!of_axes) doubt_heading(own);
     for (TourFinding& finding : told) {
         if (finding.kind == Kind::sideways_odometry) settle_axes(finding);

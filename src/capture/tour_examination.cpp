@@ -220,19 +220,17 @@ void TourExamination::note_leap(const Scan& scan) {
 /// lasers' fans tremble by some rays.
 void TourExamination::note_self(const Scan& scan) {
     constexpr double kTurn = 0.1;  // a wall beside the robot keeps its distance where it does not
+    constexpr float kOwnSize = 1.0F;  // no robot of this kind is larger
     constexpr float kSame = 0.03F;
     constexpr float kStuck = 0.001F;  // of a wall no reading is the same
     constexpr float kNewest = 0.25F;
     constexpr std::size_t kMostRays = 100'000;
     const double step = std::abs(scan.fan.step_rad());
     if (scan.rays.size() != scan.points.size() || !(step > 2.0 * kPi / kMostRays)) return;
-    const bool first = near_ranges_.empty();
-    if (!first && turned_rad_ - turned_at_rad_ < kTurn) return;
-    if (first) {
-        near_ranges_.resize(static_cast<std::size_t>(std::ceil(2.0 * kPi / step)) + 1);
-        same_rays_.resize(near_ranges_.size());
-    }
-    const std::size_t bins = near_ranges_.size();
+    const bool first = directions_.empty();
+    if (!first && std::abs(heading_rad_ - heading_noted_rad_) < kTurn) return;
+    if (first) directions_.resize(static_cast<std::size_t>(std::ceil(2.0 * kPi / step)) + 1);
+    const std::size_t bins = directions_.size();
     std::vector<float> ranges(bins, 0.0F);
     const Point2 laser{scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y};
     for (std::size_t i = 0; i < scan.points.size(); ++i) {
@@ -244,13 +242,18 @@ void TourExamination::note_self(const Scan& scan) {
     }
     if (!first) ++turns_;
     for (std::size_t i = 0; i < bins; ++i) {
-        float& known = near_ranges_[i];
-        const float alike = known < static_cast<float>(kOwnSize) ? kSame : kStuck;
-        const bool same = known > 0.0F && std::abs(ranges[i] - known) < alike;
-        if (same) ++same_rays_[i];
-        if (ranges[i] > 0.0F) known = same ? std::lerp(known, ranges[i], kNewest) : ranges[i];
+        if (!(ranges[i] > 0.0F)) continue;
+        Direction& known = directions_[i];
+        if (ranges[i] >= kOwnSize) {
+            if (std::abs(ranges[i] - known.far_m) < kStuck) ++known.stuck;
+            known.far_m = ranges[i];
+            continue;
+        }
+        const bool same = known.near_m > 0.0F && std::abs(ranges[i] - known.near_m) < kSame;
+        if (same) ++known.near;
+        known.near_m = same ? std::lerp(known.near_m, ranges[i], kNewest) : ranges[i];
     }
-    turned_at_rad_ = turned_rad_;
+    heading_noted_rad_ = heading_rad_;
 }
 
 void TourExamination::keep(const Scan& scan) {

@@ -252,19 +252,15 @@ void TourExamination::doubt_lost_rays(std::vector<TourFinding>& found) const {
                              "between these (angle_increment)"))}}});
 }
 
-/// What a driver says where it saw nothing, at which the map would have an arc of walls that goes
-/// with the robot.
-std::optional<TourFinding> TourExamination::taken_for_walls() const {
+/// What a driver says where it saw nothing.
+std::optional<GreatestRanges::Code> TourExamination::code_taken_for_walls() const {
     constexpr double kLeastShare = 0.002;
     constexpr double kShortest = 1.0;  // [m]
     constexpr double kAlike = 0.7;
     constexpr double kBeyond = 0.5;
-    constexpr double kParts = 100.0;  // of a metre
     std::optional<GreatestRanges::Code> code = greatest_.code();
-    const bool of_rays = !code && (code = greatest_.codes_of_rays()).has_value();
-    if (!code) return std::nullopt;
-    const double share = static_cast<double>(code->times) / static_cast<double>(sampled_);
-    if (share < kLeastShare) return std::nullopt;
+    if (!code) code = greatest_.codes_of_rays();
+    if (!code || share_of_points(*code) < kLeastShare) return std::nullopt;
     // No laser's reach is so short, nor so unlike from ray to ray: it is the robot, or the ground;
     // and what lies beyond would be left out with it.
     if (code->least_m < kShortest || code->least_m < kAlike * code->range_m ||
@@ -272,6 +268,20 @@ std::optional<TourFinding> TourExamination::taken_for_walls() const {
             kBeyond * static_cast<double>(code->times)) {
         return std::nullopt;
     }
+    return code;
+}
+
+double TourExamination::share_of_points(const GreatestRanges::Code& code) const {
+    return static_cast<double>(code.times) / static_cast<double>(sampled_);
+}
+
+/// At it the map would have an arc of walls that goes with the robot.
+std::optional<TourFinding> TourExamination::taken_for_walls() const {
+    constexpr double kParts = 100.0;  // of a metre
+    const std::optional<GreatestRanges::Code> code = code_taken_for_walls();
+    if (!code) return std::nullopt;
+    const double share = share_of_points(*code);
+    const bool of_rays = !greatest_.code();
     return TourFinding{
         Kind::no_return,
         code->range_m,

@@ -127,6 +127,26 @@ void ContactTest::what_cannot_be_opened_is_told_as_what_it_is() {
     }
 }
 
+void ContactTest::options_without_effect_are_told() {
+    const std::string log = Fixture::source_file("data/logs/carmen-flaser.log.gz").toStdString();
+    CommandLine scattered;
+    scattered.open = log;
+    scattered.values.tour_seed = 3;
+    CommandLine of_topics;
+    of_topics.open = log;
+    of_topics.topics.odom_topic = "/odom";
+    for (const CommandLine& line : {scattered, of_topics}) {
+        Fixture f(false);
+        f.window->configuration_actions().start_or_warn(line);
+        QTRY_COMPARE(f.prompts.warnings.size(), 1);
+        QCOMPARE(f.prompts.warning_titles.front(), QString("An option has no effect"));
+        QVERIFY2(f.prompts.warnings.front().contains("leave it out"),
+                 qPrintable(f.prompts.warnings.front()));
+        QCOMPARE(f.session.configuration().source.file, log);  // and opened
+        QVERIFY_THROWS_EXCEPTION(ConfigError, f.window->configuration_actions().start(line));
+    }
+}
+
 void ContactTest::a_refused_file_shows_its_first_lines() {
     Fixture f(false);
     const QString letter = f.write("letter.log", "Dear reader,\nthis is no log.\n");

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <future>
 #include <map>
 #include <optional>
 #include <string>
@@ -263,21 +265,76 @@ TEST_P(OfWorld, APartOfTheRobotThatTheLaserSeesIsTold) {
 }
 
 TEST_P(OfWorld, RaysThatAreStuckAreTold) {
-    EXPECT_FALSE(tour_.of_kind(Kind::self_hits));
+    EXPECT_FALSE(tour_.of_kind(Kind::stuck_rays));
     if (GetParam() == "corridor") return;  // it hardly turns there
     for (const double stuck_m : {1.5, 4.0}) {
         Readings broken = tour_;
         for (Scan& scan : broken.scans) {
             for (std::uint32_t ray = 40; ray < 70; ++ray) add_reading(scan, ray, stuck_m);
         }
-        const auto found = broken.of_kind(Kind::self_hits);
+        const auto found = broken.of_kind(Kind::stuck_rays);
         ASSERT_TRUE(found) << broken.said();
         EXPECT_GE(found->value, 28.0);
         EXPECT_LE(found->value, 32.0);
+        EXPECT_FALSE(broken.of_kind(Kind::self_hits));
         EXPECT_NE(found->what.english().find(fmt::format("{:.2f} m and more", stuck_m)),
                   std::string::npos)
             << found->what.english();
     }
+}
+
+TEST_P(OfWorld, OfARobotAtRestNoRayIsStuck) {
+    constexpr double kPeriod = 0.1;     // [s]
+    constexpr double kTrembles = 2e-3;  // [rad], of its heading
+    Readings still;
+    double to = kTrembles;
+    for (std::uint64_t k = 0; k < 2000; ++k) {
+        const double time_s = kPeriod * static_cast<double>(k);
+        Odometria reading = tour_.odometry.front();
+        reading.time_s = time_s;
+        reading.twist = {0.0, 0.0, (to = -to) / kPeriod};
+        reading.line = 2 * k + 1;
+        still.odometry.push_back(reading);
+        Scan scan = tour_.scans.front();
+        scan.time_s = time_s;
+        scan.line = 2 * k + 2;
+        // Readings are rounded, so that only some of them tremble.
+        for (std::size_t i = scan.points.size() / 3; i < scan.points.size(); ++i) {
+            const double longer = 1.0 + 0.01 * static_cast<double>(k % 3);
+            scan.points[i] = {longer * scan.points[i].x, longer * scan.points[i].y};
+        }
+        still.scans.push_back(std::move(scan));
+    }
+    EXPECT_FALSE(still.of_kind(Kind::stuck_rays)) << still.said();
+}
+
+TEST_P(OfWorld, WhatSaysThatNothingWasSeenIsNotStuckNorHidesTheRobot) {
+    if (GetParam() == "corridor") return;  // it hardly turns there
+    Readings open = tour_;
+    const std::uint32_t count = open.scans.front().fan.count;
+    for (Scan& scan : open.scans) {
+        // Of every ray from the middle on, and some that see the robot.
+        for (std::uint32_t ray = count / 2; ray < count; ++ray) add_reading(scan, ray, 30.0);
+        for (std::uint32_t ray = 4; ray < 10; ++ray) add_reading(scan, ray, 0.3);
+    }
+    EXPECT_TRUE(open.of_kind(Kind::no_return)) << open.said();
+    EXPECT_FALSE(open.of_kind(Kind::stuck_rays)) << open.said();
+    const auto own = open.of_kind(Kind::self_hits);
+    ASSERT_TRUE(own) << open.said();
+    EXPECT_EQ(own->value, 6.0);
+}
+
+TEST_P(OfWorld, APartOfTheRobotIsToldThoughRaysGoByItNowAndThen) {
+    if (GetParam() == "corridor") return;  // it hardly turns there
+    Readings own = tour_;
+    std::size_t number = 0;
+    for (Scan& scan : own.scans) {
+        for (std::uint32_t ray = 40; ray < 46; ++ray)
+            add_reading(scan, ray, number++ % 17 == 0 ? 3.7 : 0.4);
+    }
+    const auto found = own.of_kind(Kind::self_hits);
+    ASSERT_TRUE(found) << own.said();
+    EXPECT_EQ(found->value, 6.0);
 }
 
 TEST_P(OfWorld, OdometryThatLooksAsideOfItsWayIsTold) {
@@ -551,11 +608,27 @@ TEST(TourExamination, ARunAdvisesWhatCheckDoes) {
         configuration.filter.particles = 1;
         const TourSummary checked = inspect_tour(*open_tour(configuration.source));
         ASSERT_FALSE(checked.findings.empty());
+        configuration.run.threads = 1;  // then they are looked for by whoever asks first
         for (const bool ahead : {false, true}) {
-            Algoritmo run(configuration, open_tour(configuration.source), {.doubts_ahead = ahead});
+            Algoritmo run(configuration, open_tour(configuration.source),
+                          {.go_back = true, .doubts_ahead = ahead});
+            const auto known = [&run] {
+                return run.doubts().wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+            };
+            for (int i = 0; i < 20; ++i) run.step();
+            const auto checkpoint = run.checkpoint();
+            ASSERT_TRUE(checkpoint);
             while (run.step()) {
             }
             const std::vector<TourFinding> told = run.doubts().get();
+            EXPECT_EQ(known(), ahead);
+            run.go_to(*checkpoint);
+            EXPECT_FALSE(known());
+            while (run.step()) {
+            }
+            EXPECT_EQ(run.doubts().get().size(), told.size());
+            run.restart();
+            EXPECT_FALSE(known());
             ASSERT_EQ(told.size(), checked.findings.size());
             for (std::size_t i = 0; i < told.size(); ++i) {
                 EXPECT_EQ(told[i].what.english(), checked.findings[i].what.english());

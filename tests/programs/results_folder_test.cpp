@@ -86,9 +86,13 @@ TEST_F(ResultsFolder, OfAnotherRunIsKeptUnlessItIsToBeReplaced) {
     // Files that were asked for are not lost by who does not ask for them again.
     expect_kept(run(log, few), {"map.svg", "--write svg"});
     EXPECT_TRUE(test::fs::exists(path("out/map.svg")));
-    EXPECT_EQ(run(log, few + " --write svg,landmarks").status, 0);
-    EXPECT_EQ(run(log, few + " --uncertainty --write all").status, 0);
-    expect_kept(run(log, few + " --write all"), {"uncertainty.csv", "(--uncertainty)"});
+    EXPECT_EQ(run(log, few + " --write svg,landmarks --grid-of 3").status, 0);
+    expect_kept(run(log, few), {"(--grid-of 3 --write landmarks,svg)"});
+    expect_kept(run(log, few + " --write svg,landmarks --grid-of 1"),
+                {"grid_particle_3.", "(--grid-of 3)"});
+    EXPECT_EQ(run(log, few + " --grid-of 3 --write landmarks,svg").status, 0);
+    EXPECT_EQ(run(log, few + " --grid-of 3 --uncertainty --write all").status, 0);
+    expect_kept(run(log, few + " --grid-of 3 --write all"), {"uncertainty.csv", "(--uncertainty)"});
     EXPECT_EQ(run(log, few + " --replace").status, 0);
     EXPECT_FALSE(test::fs::exists(path("out/map.svg")));
     expect_kept(run(log, "--set filter.particles=6 --seed 3"),

@@ -198,16 +198,17 @@ struct EndOfFollowing {
     }
 };
 
-/// Those without which a run has fewer files; a world has its own reference.
-std::vector<std::string> given_options(const RunOptions& options, const std::string& source) {
-    const bool world = is_world_file(source);
+/// Those without which a run has fewer files; a world has its own reference, unless an earlier
+/// run's map is gone on with.
+std::vector<std::string> given_options(const RunOptions& options, const SourceParams& source) {
+    const bool world = is_world_file(source.file) && source.map.empty();
     std::vector<std::string> given;
     const auto note = [&given](bool whether, const char* option) {
         if (whether) given.emplace_back(option);
     };
     note(!options.distances.empty(), "--distances");
     note(options.uncertainty, "--uncertainty");
-    note(options.grid_of.has_value(), "--grid-of");
+    if (options.grid_of) given.push_back(fmt::format("--grid-of {}", *options.grid_of));
     note(world || !options.reference.empty(), "--reference");
     note(world || !options.reference_trajectory.empty(), "--reference-trajectory");
     return given;
@@ -271,7 +272,8 @@ void run(const RunOptions& options, std::optional<LiveRun>& live) {
     if (live) live->open_poses();
     std::unique_ptr<StagedFolder> folder(new StagedFolder(results_folder(options.out)));
     if (!options.replace)
-        refuse_another_run(options.out, configuration, also, given_options(options, source));
+        refuse_another_run(options.out, configuration, also,
+                           given_options(options, configuration.source));
     check_file(options.figures);  // which may be in that folder
     check_file(options.hashes);
 
@@ -486,11 +488,13 @@ void add_run(CLI::App& program) {
     command
         ->add_option("--out", options->out,
                      "Folder for the results, made if missing; one that holds those of a run of "
-                     "another source or with other parameters is refused")
+                     "another source or with other parameters, or more files of this one, is "
+                     "refused")
         ->required()
         ->check(&complaint_of_output);
     command->add_flag("--replace", options->replace,
-                      "Put this run in the place of another one that the folder holds");
+                      "Put this run in the place of another one, or of more files of this one, "
+                      "that the folder holds");
     add_live_options(*command, options->live);
     add_serve_option(*command, options->serve);
     add_report_option(*command, options->json);

@@ -7,8 +7,6 @@
 
 #include <chrono>
 #include <ctime>
-#include <map>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -54,21 +52,19 @@ void name_one(std::vector<std::string>& named, std::string one) {
     named.push_back(named.size() == kMostNamed ? "…" : std::move(one));
 }
 
-void refuse_fewer_files(const std::filesystem::path& folder,
-                        const std::map<std::string, std::string>& unasked) {
-    if (unasked.empty()) return;
+void refuse_fewer_files(const std::filesystem::path& folder, const UnaskedFiles& unasked) {
+    if (unasked.files.empty()) return;
     std::vector<std::string> names;
-    std::set<std::string> ways;
-    for (const auto& [file, way] : unasked) {
-        name_one(names, file);
-        ways.insert(way);
-    }
+    for (const std::string& file : unasked.files) name_one(names, file);
+    std::vector<std::string> ways(unasked.options.begin(), unasked.options.end());
+    if (!unasked.words.empty())
+        ways.push_back(fmt::format("--write {}", fmt::join(unasked.words, ",")));
     throw FileError(
         folder.string(),
         verbatim(fmt::format("holds {} of this run, which would be gone: ask for them "
                              "again ({}), choose another folder, or say --replace to do "
                              "without them",
-                             fmt::join(names, ", "), fmt::join(ways, ", "))));
+                             fmt::join(names, ", "), fmt::join(ways, " "))));
 }
 
 }  // namespace

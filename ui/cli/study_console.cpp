@@ -32,9 +32,9 @@ StudyObserver StudyTeller::observer() {
                                    progress.reused));
             for (const std::filesystem::path& folder : progress.replaces) {
                 line_->say(
-                    fmt::format("note: {} holds another study; once this one is whole it "
+                    fmt::format("note: {} is of another study; once this one is whole it "
                                 "takes its place, and runs that it does not have are gone: "
-                                "--out with another folder keeps both",
+                                "written elsewhere, it leaves both",
                                 on_one_line(folder.string())));
             }
             begun_ = true;

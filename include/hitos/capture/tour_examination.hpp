@@ -121,6 +121,8 @@ class TourExamination {
     void doubt_units(std::vector<TourFinding>& found) const;
     /// Readings that say that nothing was seen.
     std::optional<TourFinding> taken_for_walls() const;
+    std::optional<GreatestRanges::Code> code_taken_for_walls() const;
+    double share_of_points(const GreatestRanges::Code& code) const;
     void doubt_small_unit(double typical, std::vector<TourFinding>& found) const;
     /// What the odometry's metres are, where no robot is so fast; else nothing.
     const LengthUnit* way_unit() const;
@@ -213,6 +215,7 @@ class TourExamination {
     bool prefers_stamps(const TourFinding& receipts, const std::vector<TourFinding>& own) const;
     void doubt_stamps(std::vector<TourFinding>& found) const;
     void doubt_self_hits(std::vector<TourFinding>& found) const;
+    void doubt_stuck_rays(std::vector<TourFinding>& found) const;
     void doubt_heading(std::vector<TourFinding>& found) const;
     /// A laser that is said to sit where no robot reaches.
     void doubt_place(std::vector<TourFinding>& found) const;
@@ -282,11 +285,16 @@ class TourExamination {
     std::uint64_t longest_same_run_ = 0;   ///< of those that are long on the way too
     std::uint64_t scans_of_one_time_ = 0;  ///< as the scan before
     std::uint64_t last_scan_line_ = 0;
-    std::vector<std::uint32_t> same_rays_;   ///< how often each ended where it did before the turn
-    std::vector<float> near_ranges_;         ///< how far each went, 0 where nobody knows [m]
-    std::uint64_t turns_ = 0;                ///< how often the robot turned between two scans
-    static constexpr double kOwnSize = 1.0;  // no robot of this kind is larger [m]
-    double turned_at_rad_ = 0.0;             ///< turned_rad_ where near_ranges_ are from
+    /// Readings of one direction, nearer than any robot is large and beyond.
+    struct Direction {
+        float near_m = 0.0F;      ///< newest one, smoothed; 0: none
+        std::uint32_t near = 0;   ///< how often it was where it was before a turn
+        float far_m = 0.0F;       ///< newest one beyond; 0: none
+        std::uint32_t stuck = 0;  ///< how often it was the number that it was before a turn
+    };
+    std::vector<Direction> directions_;
+    std::uint64_t turns_ = 0;         ///< how often the robot turned between two scans
+    double heading_noted_rad_ = 0.0;  ///< heading_rad_ at the newest of them
     /// Of the way, by twice its direction on the robot, so that ahead and back are one [m].
     double along_m_ = 0.0;
     double across_m_ = 0.0;

@@ -70,6 +70,7 @@ struct TourFinding {
         no_return,     ///< readings that say "nothing seen" are taken for walls; value: their range
                        ///< [m]
         self_hits,     ///< rays that always end on the robot; value: how many
+        stuck_rays,    ///< rays that always read one number, and see; value: how many
         frozen_laser,  ///< the same ranges while the robot drives; value: share of such scans
         unfit_odometry,  ///< the scans do not lie where it puts them; value: share of their points
                          ///< that do, or how far it is off, of what is driven

@@ -156,13 +156,15 @@ class ConversorCarmen final : public RangeConversor {
     CarmenMessage parse_flaser(Fields fields, Readings* out);
     CarmenMessage parse_laser(Fields fields, bool with_pose, Readings* out);
     Pose steady_mount(const Pose& mount);
+    bool in_use(std::string_view name);
 
     double stated_max_m_ = 0.0;
     double resolution_deg_ = 0.0;
     Pose pose_robot_laser_;           // from parameters
+    bool mounting_stated_ = false;    // by one
     std::optional<Pose> last_mount_;  // from ROBOTLASER1 lines
     std::string scan_message_;        // the one in use: the first that gave a scan
-    double last_scan_s_ = 0.0;        // when it gave the last one
+    int of_others_ = 0;               // scans since it gave the last one
     std::optional<double> from_logger_s_;
     bool odometry_of_scans_ = true;  // or of ODOM lines alone
 };
@@ -181,18 +183,29 @@ bool ConversorCarmen::parse_scan(const RawLine& line, Readings& out) {
         parse_parameter(fields);
         return false;
     }
-    const bool flaser = name == "FLASER";
+    const bool of_robot = name == "ROBOTLASER1";
     const CarmenMessage message =
-        flaser ? parse_flaser(fields, &out) : parse_laser(fields, name == "ROBOTLASER1", &out);
+        name == "FLASER" ? parse_flaser(fields, &out) : parse_laser(fields, of_robot, &out);
     out.time_s = message.time_s;
     out.fan = message.fan;
     out.carries_odometry = odometry_of_scans_ && message.pose_odom_robot.has_value();
-    // Raw and robot lasers are one scan logged twice, where both are logged; where the one in use
-    // is logged no more, as in logs of two versions that somebody has joined, the other goes on.
-    constexpr double kSilence = 5.0;  // [s]
-    if (scan_message_.empty() || out.time_s > last_scan_s_ + kSilence) scan_message_ = name;
-    if (scan_message_ != name) return false;
-    last_scan_s_ = out.time_s;
+    if (!in_use(name)) return false;
+    if (!of_robot) out.fan.pose_robot_laser = pose_robot_laser_;
+    return true;
+}
+
+/// Raw and robot lasers are one scan logged twice, where both are logged; where the one in use is
+/// logged no more, as in logs of two versions that somebody has joined, the other goes on. Which
+/// that is lines tell and not stamps, of which one may be wrong, or of another clock.
+bool ConversorCarmen::in_use(std::string_view name) {
+    constexpr int kGone = 5;
+    if (scan_message_.empty()) scan_message_ = name;
+    if (scan_message_ != name) {
+        if (++of_others_ < kGone) return false;
+        if (!mounting_stated_ && last_mount_) pose_robot_laser_ = *last_mount_;
+        scan_message_ = name;
+    }
+    of_others_ = 0;
     return true;
 }
 
@@ -204,6 +217,7 @@ void ConversorCarmen::parse_parameter(Fields fields) {
     if (name == "robot_frontlaser_offset") pose_robot_laser_.x = value;
     if (name == "robot_frontlaser_side_offset") pose_robot_laser_.y = value;
     if (name == "robot_frontlaser_angular_offset") pose_robot_laser_.theta = wrap_angle(value);
+    mounting_stated_ = mounting_stated_ || name.starts_with("robot_frontlaser_");
 }
 
 CarmenMessage ConversorCarmen::parse_flaser(Fields fields, Readings* out) {
@@ -215,7 +229,6 @@ CarmenMessage ConversorCarmen::parse_flaser(Fields fields, Readings* out) {
     message.time_s = take_tail(fields, from_logger_s_);
     message.fan = implied_fan(count, resolution_deg_);
     message.fan.max_range_m = stated_max_m_;
-    message.fan.pose_robot_laser = pose_robot_laser_;
     return message;
 }
 
@@ -232,7 +245,7 @@ CarmenMessage ConversorCarmen::parse_laser(Fields fields, bool with_pose, Readin
 
     const bool has_block = skip_remissions(fields, with_pose);
     CarmenMessage message;
-    Pose mount = pose_robot_laser_;
+    Pose mount;
     if (with_pose) {
         const Pose laser = take_pose(fields, "laser_x", "laser_y", "laser_theta");
         const Pose robot = take_pose(fields, "robot_x", "robot_y", "robot_theta");

@@ -417,7 +417,11 @@ RunSummary write_results(const Algoritmo& run, const References& references, dou
     finished.segments = run.line_extents().of(finished.map, finished.best);
     try {
         write_files(finished, summary, folder, told);
-        if (doubts.valid()) take_findings(doubts.get(), summary.quality);
+        if (doubts.valid()) {
+            const double waited = thread_seconds();  // or looked for now, where there is one thread
+            take_findings(doubts.get(), summary.quality);
+            if (summary.times) summary.times->judging += thread_seconds() - waited;
+        }
         if (summary.times) summary.times->all = process_seconds();
         write_file(folder.path() / kSummaryFile, sealed(to_json(summary, seconds), kSummarySeal));
     } catch (const FileError& error) {

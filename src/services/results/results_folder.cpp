@@ -95,22 +95,24 @@ std::optional<std::string> somebodys_file(const std::filesystem::path& folder,
     return std::nullopt;
 }
 
-std::map<std::string, std::string> unasked_files(const std::filesystem::path& folder,
-                                                 std::span<const std::string> also,
-                                                 std::span<const std::string> options) {
-    std::map<std::string, std::string> unasked;
+UnaskedFiles unasked_files(const std::filesystem::path& folder, std::span<const std::string> also,
+                           std::span<const std::string> options) {
+    UnaskedFiles unasked;
     if (!is_there(folder)) return unasked;
     FormerFiles former(folder);
-    const auto lacks = [](std::span<const std::string> asked, const std::string& by) {
-        return !by.empty() && std::ranges::find(asked, by) == asked.end();
+    const auto note = [&unasked](const std::string& file, const std::string& by,
+                                 std::span<const std::string> asked, std::set<std::string>& ways) {
+        if (by.empty() || std::ranges::find(asked, by) != asked.end()) return;
+        unasked.files.insert(file);
+        ways.insert(by);
     };
     for (const auto& entry : folder_entries(folder)) {
         const std::string name = entry.path().filename().string();
         const auto output = std::ranges::find_if(
             run_outputs(), [&](const RunOutput& one) { return one.owns(name); });
         if (output == run_outputs().end() || !former(name)) continue;
-        if (lacks(also, output->word)) unasked.emplace(name, "--write " + output->word);
-        if (lacks(options, output->option)) unasked.emplace(name, output->option);
+        note(name, output->word, also, unasked.words);
+        note(name, output->option_of(name), options, unasked.options);
     }
     return unasked;
 }

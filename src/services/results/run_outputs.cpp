@@ -329,7 +329,7 @@ std::vector<RunOutput> make_outputs() {
                   best_path)),
         rereading(where(shows_space, whole_grid("grid_best", best_path))),
         rereading(where(shows_space, grid("grid_odometry", odometry_grid, odometry_path))),
-        rereading(given("--grid-of", of_a_particle,
+        rereading(given("--grid-of #", of_a_particle,
                         whole_grid(std::string("grid_particle_") + kNumber, particle_path))),
         given(
             "--distances", [](const Run& r) { return !r.summary.distances.empty(); },
@@ -421,13 +421,36 @@ std::vector<std::string> RunOutput::files(const FinishedRun& finished) const {
     return files;
 }
 
+namespace {
+
+/// Whether the file has that name, in which there may be a number, which it gives.
+bool is_named(const std::string& file, const std::string& name, std::string* number = nullptr) {
+    const std::size_t at = name.find(kNumber);
+    if (at == std::string::npos) return file == name;
+    const std::string rest = name.substr(at + 1);
+    if (file.size() < at + rest.size() || !file.starts_with(name.substr(0, at)) ||
+        !file.ends_with(rest)) {
+        return false;
+    }
+    if (number != nullptr) *number = file.substr(at, file.size() - at - rest.size());
+    return true;
+}
+
+}  // namespace
+
 bool RunOutput::owns(const std::string& file) const {
-    return std::ranges::any_of(names, [&file](const std::string& name) {
-        const std::size_t at = name.find(kNumber);
-        return at == std::string::npos
-                   ? file == name
-                   : file.starts_with(name.substr(0, at)) && file.ends_with(name.substr(at + 1));
-    });
+    return std::ranges::any_of(names,
+                               [&](const std::string& name) { return is_named(file, name); });
+}
+
+std::string RunOutput::option_of(const std::string& file) const {
+    const std::size_t at = option.find(kNumber);
+    if (at == std::string::npos) return option;
+    std::string number;
+    for (const std::string& name : names) {
+        if (is_named(file, name, &number)) break;
+    }
+    return std::string(option).replace(at, 1, number);
 }
 
 bool is_run_output(const std::string& name) {

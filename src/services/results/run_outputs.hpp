@@ -50,13 +50,15 @@ struct RunOutput {
     /// By which it is asked for, and half a sentence for help texts; empty: it needs no asking.
     std::string word = {};
     std::string purpose = {};
-    /// Likewise the option without which there is nothing to write.
+    /// Likewise the option without which there is nothing to write; a number's is kNumber too.
     std::string option = {};
 
     /// The names of the files of this run.
     std::vector<std::string> files(const FinishedRun& finished) const;
     /// Whether it writes a file of that name, of any run.
     bool owns(const std::string& file) const;
+    /// The option by which it writes that file, which it owns; empty: none.
+    std::string option_of(const std::string& file) const;
 };
 
 /// In the order in which they are written, the essential ones first; summary.json, which comes

@@ -58,7 +58,10 @@ class StudyFolder {
     const StudyLayout& work() const { return work_; }
     /// Whether another study's results are still in place.
     bool is_beside() const { return work_.folder != target_.folder; }
-    const std::filesystem::path& place() const { return target_.folder; }
+    /// Its folder, or its quality file where it lies beside others.
+    std::filesystem::path place() const {
+        return target_.prefix.empty() ? target_.folder : target_.quality_file();
+    }
 
     /// Makes what runs need.
     void begin();

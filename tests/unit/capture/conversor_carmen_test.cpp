@@ -152,26 +152,43 @@ TEST(ConversorCarmen, ALaserLoggedRawAndAsRobotLaserIsReadOnce) {
     EXPECT_EQ(log.report.skipped, 1U);
 }
 
+/// Of a laser 0.2 m ahead on the robot.
+std::string robot_laser(double time_s) {
+    return fmt::format(
+        "ROBOTLASER1 0 -1.5 3.0 1.5 20.0 0.01 0 3 1 2 3 0 0.2 0 0 0 0 0 0 0 0 0 0 {} h 1\n",
+        time_s);
+}
+
+std::string raw_laser(double time_s) {
+    return fmt::format("RAWLASER1 0 -1.5 3.0 1.5 20.0 0.01 0 3 1 2 3 0 {} h 1\n", time_s);
+}
+
+std::vector<double> times_of(const Log& log) {
+    std::vector<double> times;
+    for (const Scan& scan : log.scans) times.push_back(scan.time_s);
+    return times;
+}
+
 TEST(ConversorCarmen, WhereOneMessageEndsTheOtherGoesOn) {
     std::string text;
-    const auto robot = [&](double time_s) {
-        text += fmt::format(
-            "ROBOTLASER1 0 -1.5 3.0 1.5 20.0 0.01 0 3 1 2 3 0 0 0 0 0 0 0 0 0 0 0 0 {} h 1\n",
-            time_s);
-    };
-    const auto raw = [&](double time_s) {
-        text += fmt::format("RAWLASER1 0 -1.5 3.0 1.5 20.0 0.01 0 3 1 2 3 0 {} h 1\n", time_s);
-    };
-    for (const double time_s : {1.0, 2.0, 3.0}) robot(time_s);
-    for (const double time_s : {4.0, 5.0, 8.5, 9.5, 10.5}) raw(time_s);
+    for (const double time_s : {1.0, 2.0, 3.0}) text += robot_laser(time_s);
+    for (const double time_s : {4.0, 5.0, 6.0, 7.0, 8.0, 9.0}) text += raw_laser(time_s);
     // One that comes back is the same laser again.
-    for (const double time_s : {10.6, 11.6}) {
-        robot(time_s);
-        raw(time_s);
-    }
-    std::vector<double> times;
-    for (const Scan& scan : carmen(text).scans) times.push_back(scan.time_s);
-    EXPECT_EQ(times, (std::vector<double>{1.0, 2.0, 3.0, 8.5, 9.5, 10.5, 10.6, 11.6}));
+    for (const double time_s : {10.0, 11.0}) text += robot_laser(time_s) + raw_laser(time_s);
+    const Log log = carmen(text);
+    EXPECT_EQ(times_of(log), (std::vector<double>{1.0, 2.0, 3.0, 8.0, 9.0, 10.0, 11.0}));
+    for (const Scan& scan : log.scans) EXPECT_EQ(scan.fan.pose_robot_laser.x, 0.2) << scan.time_s;
+    const Log stated = carmen("PARAM robot_frontlaser_offset 0.1\n" + text);
+    EXPECT_EQ(stated.scans.front().fan.pose_robot_laser.x, 0.2);
+    EXPECT_EQ(stated.scans.back().fan.pose_robot_laser.x, 0.1);
+}
+
+TEST(ConversorCarmen, NoStampAndNoPauseMakesAnotherMessageTheOneInUse) {
+    // One bad stamp, a pause of both, and the other by a clock that is ahead.
+    std::string text =
+        robot_laser(1.0) + raw_laser(1e6) + robot_laser(2.0) + raw_laser(12.0) + robot_laser(3.0);
+    for (const double time_s : {30.0, 31.0}) text += raw_laser(time_s) + robot_laser(time_s);
+    EXPECT_EQ(times_of(carmen(text)), (std::vector<double>{1.0, 2.0, 3.0, 30.0, 31.0}));
 }
 
 TEST(ConversorCarmen, IgnoresOtherMessages) {

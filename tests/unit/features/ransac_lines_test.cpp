@@ -193,6 +193,22 @@ TEST(Ransac, FirstOfAllStillDividesALineAtEdges) {
     EXPECT_EQ(seen.lines[2].count, 20U);
 }
 
+TEST(Ransac, FirstOfAllDividesALineWhereRaysSawNothingWhateverTheScanBefore) {
+    const std::vector<Point2> one = wall({2.0, -2.0}, {2.0, -0.05}, 30);
+    const std::vector<Point2> other = wall({2.0, 0.05}, {2.0, 2.0}, 30);
+    std::vector<Point2> whole = one;
+    whole.insert(whole.end(), other.begin(), other.end());
+    ExtractionParams params = ransac_params();
+    params.lines.collinear.rho_m = 0.0;
+    params.ransac.order = RansacOrder::ransac_first;
+    const auto extractor = make_extractor(params, 1);
+    Observation seen;
+    extractor->extract(scan_of({whole}), seen);
+    EXPECT_EQ(seen.lines.size(), 1U);
+    extractor->extract(scan_of({one, other}), seen);
+    EXPECT_EQ(seen.lines.size(), 2U);
+}
+
 TEST(Ransac, TheSameSeedAndScanNumberGiveTheSameLines) {
     std::mt19937 engine(73);
     std::uniform_real_distribution<double> value(1.0, 3.0);

@@ -350,6 +350,16 @@ TEST_F(DxfKinds, DamageIsToldAndNeverHangs) {
     EXPECT_THAT(told(cut.warnings), HasSubstr("breaks off"));
     EXPECT_THAT(told(read("0 LINE 8 0 10 3 20 3 11 4" + std::string(kPlainWall)).warnings),
                 HasSubstr("1 LINE cannot be read"));
+    for (const char* half : {"0 ELLIPSE 8 0 10 1 20 0 40 0.5", "0 ELLIPSE 8 0 11 1 21 0 40 0.5"})
+        EXPECT_THAT(told(read(half + std::string(kPlainWall)).warnings),
+                    HasSubstr("1 ELLIPSE cannot be read"));
+    // A face of corners that are not there.
+    EXPECT_THAT(told(read("0 POLYLINE 8 0 66 1 70 64 0 VERTEX 8 0 70 192 10 0 20 0 0 VERTEX 8 0 "
+                          "70 192 10 1 20 0 0 VERTEX 8 0 70 128 10 0 20 0 71 1 72 2 73 9 "
+                          "0 SEQEND" +
+                          std::string(kPlainWall))
+                         .warnings),
+                HasSubstr("1 POLYLINE cannot be read"));
     // Ten blocks, each of ten of the one before, and a field of insertions without end.
     std::string blocks =
         "0 SECTION 2 BLOCKS 0 BLOCK 2 B0 10 0 20 0" + std::string(kPlainWall) + " 0 ENDBLK";

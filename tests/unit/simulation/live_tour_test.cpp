@@ -234,6 +234,8 @@ TEST(LiveTour, WayPointsAreDrivenThroughWhatHappens) {
     const SimulatedTour tour(world);  // the driver sees where the robot is, and gets there
     const Pose end = tour.path().poses().back();
     EXPECT_LT(std::hypot(end.x - 5.0, end.y - 0.0), 0.2);
+    std::swap(world.tour.events[0], world.tour.events[1]);  // in whatever order they stand
+    EXPECT_EQ(SimulatedTour(world).path().poses(), tour.path().poses());
     world.doors.push_back({{3, -2}, {3, 4}, 1, 0});
     EXPECT_THROW(SimulatedTour{world}, FormatError);  // closed
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hitos/simulation/drive/perturbed_reader.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -110,6 +112,20 @@ TEST(PerturbedReader, AddsTenMillimetresToRangesAsTheLaserSeesThem) {
         }
         EXPECT_NEAR(root_mean_square(errors), 0.01, 3e-4) << name;
     }
+}
+
+TEST(PerturbedReader, LeavesNoReadingOnTheLaser) {
+    const test::TempFolder folder;
+    std::string text = "ODOM 0 0 0 0 0 0 0 h 0\n";
+    for (int k = 0; k < 60; ++k)
+        text += fmt::format("FLASER 2 0.022 2 0 0 0 0 0 0 {} h {}\n", k, k);
+    const auto log = folder.put("near.log", text);
+    const Log near =
+        read_all(*make_perturbed_reader(std::make_unique<Procesador>(open_log(log.string())), 1));
+    double nearest = 1.0;
+    for (const Scan& scan : near.scans)
+        nearest = std::min(nearest, std::hypot(scan.points.at(0).x, scan.points.at(0).y));
+    EXPECT_NEAR(nearest, 0.02, 1e-12);  // of which a half would lie nearer
 }
 
 TEST(PerturbedReader, ScalesAndTurnsTheSteps) {

@@ -49,6 +49,17 @@ World world_with_landmarks() {
     return world;
 }
 
+TEST(SimulatedTour, KnowsTheFirstScanThatIsNotBeforeATime) {
+    const World world = test::small_world();
+    const SimulatedTour tour(world);
+    for (std::uint64_t scan = 0; scan < 50; ++scan) {
+        const double at_s = static_cast<double>(scan) / world.laser.rate_hz;
+        EXPECT_EQ(tour.scan_from(at_s), scan);
+        EXPECT_EQ(tour.scan_from(at_s + 1e-3), scan + 1);
+    }
+    EXPECT_EQ(tour.scan_from(-1.0), 0U);
+}
+
 TEST(SimulatedTour, LandmarksAreSeenWhereNoWallHidesThem) {
     World world = world_with_landmarks();
     const Scan scan = SimulatedTour(world).scan(0);

@@ -102,10 +102,13 @@ TEST(WorldEditing, DoorsAtEndsAndAcrossPieces) {
         EXPECT_EQ(room.world().walls.size(), walls);
         EXPECT_EQ(room.walls()[0].front(), room.walls()[0].back());
     }
-    // One in the open touches nothing.
+    // One in the open touches nothing, nor one behind a wall's end.
     const auto walls = text.walls();
     add_door(text, {1, 1}, {2, 1});
     EXPECT_EQ(text.walls(), walls);
+    WorldText beside("walls = [[[0, 0], [4, 0]]]\n", "w.toml");
+    add_door(beside, {4, 0}, {5, 0});
+    EXPECT_EQ(beside.walls(), (std::vector<Polyline>{{{0, 0}, {4, 0}}}));
 }
 
 TEST(WorldEditing, EventsOfDoorsFollowTheirNumbers) {
@@ -134,6 +137,17 @@ TEST(WorldEditing, CommentsStayWithTheEventsThatTheyAreOf) {
     EXPECT_NE(text.text().find("{ at = 0, open = 1 },  # second"), std::string::npos)
         << text.text();
     EXPECT_NE(text.text().find("{ at = 0, open = 2 },  # third"), std::string::npos) << text.text();
+}
+
+TEST(WorldEditing, ACommaOnALineOfItsOwnGoesWithItsEvent) {
+    WorldText text(
+        "walls = [[[0, 0], [9, 0]]]\n"
+        "doors = [[[1, 1], [2, 1]], [[3, 1], [4, 1]]]\n"
+        "[tour]\nevents = [\n    { at = 0, open = 1 }\n    ,\n    { at = 0, open = 2 }\n]\n",
+        "w.toml");
+    remove_item(text, {ItemKind::door, 0, 0, 1});
+    ASSERT_EQ(text.world().tour.events.size(), 1U) << text.text();
+    EXPECT_EQ(text.world().tour.events[0].values[0], 1.0);
 }
 
 TEST(WorldEditing, ATourLeadsThroughADoorThatWasDrawn) {

@@ -293,6 +293,10 @@ TEST_F(BenchmarkTest, PeersAreHeldToWhatRunsAreHeldTo) {
 TEST_F(BenchmarkTest, WritesWhatItReads) {
     BenchmarkTable table = run(plan(kSmall), "out");
     table.rows[1].problem = "1 < 2 & \"3\"";
+    table.rows[1].failed = 1;
+    table.rows[1].remark = "as found";
+    table.rows[1].setting = "slow";
+    table.rows[1].state_bytes = 7.0;
     write_benchmark(table, folder_ / "out");
     const BenchmarkTable read = read_benchmark(folder_ / "out");
     EXPECT_EQ(benchmark_json(read), benchmark_json(table));
@@ -301,6 +305,7 @@ TEST_F(BenchmarkTest, WritesWhatItReads) {
     const std::string html = content(folder_ / "out/benchmark.html");
     EXPECT_THAT(html, HasSubstr("<h1>Small &lt;and&gt; quick</h1>"));
     EXPECT_THAT(html, HasSubstr("1 &lt; 2 &amp; &quot;3&quot;"));
+    EXPECT_THAT(html, HasSubstr("</td></tr>\n<tr><td>"));
     EXPECT_THAT(content(folder_ / "out/benchmark.md"), HasSubstr("| recinto | FastSLAM |"));
     EXPECT_THAT(content(folder_ / "out/benchmark.csv"), HasSubstr("pose_in_68"));
     EXPECT_THAT(content(folder_ / "out/benchmark.tex"), HasSubstr("tabular"));
@@ -346,6 +351,25 @@ TEST(BenchmarkChanges, TellChangesFromTheSpreadOfSeeds) {
     // Student's t of 24.5 with four degrees of freedom.
     EXPECT_NEAR(changes[2].chance.value(), 1.65e-5, 2e-7);
     EXPECT_EQ(changes_table(changes).rows[2].back(), "worse");
+}
+
+TEST(BenchmarkChanges, LandmarksAreToBeAsManyAsTheReferences) {
+    const auto of = [](const char* hash, const std::vector<double>& landmarks) {
+        BenchmarkTable table;
+        table.rows.push_back(row_of("tour", hash, {1.0, 1.0, 1.0}));
+        table.rows.back().figures["landmarks"] = spread_of(landmarks);
+        table.rows.back().reference_landmarks = 16;
+        return table;
+    };
+    const auto verdict = [](const BenchmarkTable& before, const BenchmarkTable& after) {
+        for (const BenchmarkChange& change : compare_benchmarks(before, after))
+            if (change.measure == "landmarks") return change.verdict;
+        return HowChanged::gone;
+    };
+    const BenchmarkTable far = of("a", {30.0, 31.0, 29.0});
+    const BenchmarkTable near = of("b", {20.0, 21.0, 19.0});
+    EXPECT_EQ(verdict(far, near), HowChanged::better);
+    EXPECT_EQ(verdict(near, far), HowChanged::worse);
 }
 
 TEST(BenchmarkChanges, ARowOfAnotherSettingIsNoneToCompareWith) {

@@ -58,6 +58,7 @@ QString suited_words(const std::string& source) {
 
 void ConfigurationActions::start(const CommandLine& line) {
     const Configuracion configuration = starting_configuration(line, files_);
+    expect_used(line.values, line.topics, {configuration.source.file});
     session_.set_configuration(configuration);
     own_.clear();
     if (nobody_chose(line, files_)) own_.push_back(configuration);
@@ -92,6 +93,10 @@ void ConfigurationActions::start_or_warn(const CommandLine& line) {
             complaints.resize(told);
         }
     }
+    // What is told besides is opened all the same.
+    if (complaints.empty())
+        possible(tr("An option has no effect"),
+                 [&] { expect_used(line.values, line.topics, {configuration.source.file}); });
     std::optional<Configuracion> to_choose;
     const auto open = [&] {
         try {

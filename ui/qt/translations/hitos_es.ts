@@ -6648,6 +6648,10 @@
         <source>Parameters: %1, because this is a world with people</source>
         <translation>Parámetros: %1, porque es un mundo con personas</translation>
     </message>
+    <message>
+        <source>An option has no effect</source>
+        <translation>Una opción no tiene efecto</translation>
+    </message>
 </context>
 <context>
     <name>hitos::window::ConfigurationDialog</name>

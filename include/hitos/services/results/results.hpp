@@ -4,8 +4,8 @@
 
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -112,11 +112,15 @@ bool is_results_file(const std::string& name);
 std::optional<std::string> somebodys_file(const std::filesystem::path& folder,
                                           std::span<const std::string> also);
 
-/// The files of the run in the folder that the same run would not write now, asked for these
-/// outputs (by their words) and given these options: the words or options that would ask for each.
-std::map<std::string, std::string> unasked_files(const std::filesystem::path& folder,
-                                                 std::span<const std::string> also,
-                                                 std::span<const std::string> options);
+/// Files of a run that the same run would not write now, and what would ask for them.
+struct UnaskedFiles {
+    std::set<std::string> files;    ///< by name
+    std::set<std::string> words;    ///< of outputs
+    std::set<std::string> options;  ///< "--uncertainty", "--grid-of 3"
+};
+/// Those in the folder of a run that is asked for these outputs and given these options.
+UnaskedFiles unasked_files(const std::filesystem::path& folder, std::span<const std::string> also,
+                           std::span<const std::string> options);
 
 /// Whether the folder has the results of a run that went on to its tour's end, as far as can be
 /// known.

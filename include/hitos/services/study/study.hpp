@@ -95,7 +95,8 @@ struct StudyProgress {
     std::size_t finished = 0;  ///< of these, the failed among them
     std::size_t failed = 0;
     std::size_t reused = 0;  ///< found done
-    /// Folders that hold other studies, of which these take the places once they are whole.
+    /// Folders, or quality files, of other studies, of which these take the places once they are
+    /// whole.
     std::vector<std::filesystem::path> replaces;
     double fraction = 0.0;           ///< of the runs to do, running ones counted by their part
     std::string running;             ///< label of a run under way

@@ -219,6 +219,8 @@ TEST_F(StudyTest, ASourceThatFailsForOneSeedFailsThatRun) {
     const StudyOutcome outcome = run(study);
     EXPECT_EQ(outcome.failed, 1U);
     EXPECT_EQ(outcome.records[1].problem.english(), "tape: torn");
+    EXPECT_GE(outcome.records[1].seconds, 0.0);  // until it failed
+    EXPECT_GE(outcome.records[1].cpu_seconds, 0.0);
     EXPECT_EQ(opened, 4) << "once to see whether it opens at all, then run by run";
 }
 
