@@ -11,9 +11,11 @@
 #include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTextBrowser>
 #include <QTranslator>
 #include <QVBoxLayout>
 
@@ -185,6 +187,25 @@ void FitTest::chips_are_whole_and_their_values_last() {
     QCOMPARE(titles.size(), 5);
     titles.removeDuplicates();
     QVERIFY2(titles.size() == 5, qPrintable(titles.join(", ")));
+}
+
+/// By the names that the menus have for them.
+void FitTest::every_key_is_listed() {
+    Fixture f;
+    f.trigger("action_keys");
+    const QString listed =
+        f.window->findChild<QDialog*>("keys")->findChild<QTextBrowser*>()->toPlainText();
+    int keys = 0;
+    for (const QAction* action : f.window->findChildren<QAction*>()) {
+        for (const QKeySequence& key : action->shortcuts()) {
+            const QString name = key.toString(QKeySequence::NativeText);
+            if (name.startsWith("Alt+")) continue;  // of layers, which have numbers
+            static const QRegularExpression kWord("[^\\w+]");
+            QVERIFY2(listed.split(kWord).contains(name), qPrintable(name));
+            ++keys;
+        }
+    }
+    QVERIFY(keys > 40);
 }
 
 void FitTest::in_a_low_window_the_groups_are_chips() {

@@ -10,6 +10,7 @@
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSignalSpy>
 #include <QSpinBox>
 #include <algorithm>
 #include <cmath>
@@ -281,6 +282,34 @@ void InspectTest::a_loop_that_nobody_found_is_proposed() {
     QVERIFY(!f.button("loop_pick").isChecked());
     QVERIFY(std::abs(f.number("loop_scan").value() - f.number("loop_earlier").value()) > 20);
     QVERIFY(f.button("loop_change").isEnabled());
+}
+
+void InspectTest::a_proposed_loop_is_of_its_tour() {
+    Loops f(false);
+    f.run_steps(120);
+    f.trigger("action_loops_dock");
+    QTRY_VERIFY(f.shows_everything() && !f.session.snapshot()->key_scans.empty());
+    f.number("loop_scan").setValue(100);
+    QVERIFY(f.button("loop_change").isEnabled() && f.reason().startsWith("As the path"));
+    // Behind another dock and back.
+    f.trigger("action_landmarks_dock");
+    f.trigger("action_landmarks_dock");
+    QTRY_VERIFY(f.dock().isVisible() && f.dock().isEnabled());
+    QVERIFY(f.reason().startsWith("As the path"));
+    f.dock().findChild<FiguresTable*>("loop_table")->setFocus();
+    const QSignalSpy shown(&f.dock(), &LoopTable::loop_shown);
+    Configuracion other = f.session.configuration();
+    other.source.file = Fixture::source_file("data/bigloop-noisy.log.gz").toStdString();
+    f.session.set_configuration(other);
+    // The keyboard goes to nobody else while there is nothing to show.
+    const QWidget* keys = f.window->focusWidget();
+    QVERIFY2(keys == f.window->findChild<QLabel*>("no_loops"),
+             qPrintable(keys == nullptr ? QString("nobody") : keys->objectName()));
+    f.run_steps(120);
+    QTRY_VERIFY(f.shows_everything() &&
+                f.window->focusWidget() == f.dock().findChild<FiguresTable*>("loop_table"));
+    QVERIFY(!f.button("loop_change").isEnabled());
+    QVERIFY(!shown.isEmpty() && !shown.last().front().value<std::optional<RunLoop>>());
 }
 
 void InspectTest::a_step_that_slipped_is_listed_and_taken_back() {

@@ -145,6 +145,33 @@ void RunsTest::errors_are_measured_by_the_references() {
     }
 }
 
+void RunsTest::errors_stay_while_another_log_is_there() {
+    RunsFixture f;
+    f.trigger("action_runs_dock");
+    f.run_steps(40);
+    const Configuracion first = f.session.configuration();
+    References references;
+    references.trajectory = f.session.snapshot()->odometry_trajectory;
+    f.session.set_references(references);
+    Configuracion other = first;
+    other.source.file = Fixture::source_file("data/bigloop-noisy.log.gz").toStdString();
+    f.session.set_configuration(other);
+    const QString measured = f.cell(1, RunsModel::path_error);
+    QVERIFY2(measured.endsWith(" m"), qPrintable(measured));
+    const auto compared_with = [&f] { return f.list().reference_of(*f.list().runs()[1].run); };
+    QVERIFY(compared_with() != nullptr);  // as Compare asks
+    QVERIFY(*compared_with() == *references.trajectory);
+    f.session.set_configuration(first);  // and back, where nothing is loaded now
+    QCOMPARE(f.cell(1, RunsModel::path_error), measured);
+    QVERIFY(compared_with() != nullptr);
+    // Other references measure it anew, and none take that away.
+    f.session.set_references(references);
+    QCOMPARE(f.cell(1, RunsModel::path_error), measured);
+    f.session.set_references({});
+    QCOMPARE(f.cell(1, RunsModel::path_error), "–");
+    QVERIFY(compared_with() == nullptr);
+}
+
 void RunsTest::paths_of_chosen_runs_are_in_the_grid_map() {
     RunsFixture f;
     run_thrice(f);

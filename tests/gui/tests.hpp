@@ -134,6 +134,7 @@ class RunsTest : public QObject {
     void a_finished_run_is_another_than_one_at_its_last_scan();
     void runs_of_two_logs_are_told_apart();
     void errors_are_measured_by_the_references();
+    void errors_stay_while_another_log_is_there();
     void paths_of_chosen_runs_are_in_the_grid_map();
     void a_run_can_be_removed_and_its_configuration_used();
     void the_settings_that_differ_are_those_of_the_command_line();
@@ -364,6 +365,7 @@ class InspectTest : public QObject {
     void a_loop_is_refused_taken_back_and_closed_by_hand();
     void a_loop_is_laid_by_hand_and_fitted();
     void a_loop_that_nobody_found_is_proposed();
+    void a_proposed_loop_is_of_its_tour();
     void a_step_that_slipped_is_listed_and_taken_back();
     void keys_take_changes_back_from_the_panel_of_loops();
     void what_is_wrong_with_changes_stands_below_them();
@@ -491,6 +493,7 @@ class FitTest : public QObject {
     void chips_are_whole_and_their_values_last_data();
     void chips_are_whole_and_their_values_last();
     void in_a_low_window_the_groups_are_chips();
+    void every_key_is_listed();
     void the_views_keep_their_height_data();
     void the_views_keep_their_height();
     void every_window_fits_data();

@@ -67,8 +67,13 @@ void RunControls::set_up(const RunActions& actions, Session& session, QSettings&
     connect(actions.run, &QAction::triggered, &session, [&session] { session.run(); });
     connect(actions.stop, &QAction::triggered, &session, &Session::pause);
     connect(actions.step, &QAction::triggered, &session, [&session] { session.run_steps(1); });
-    connect(time_line_, &TimeLine::chosen, &session,
-            [&session](int scan) { session.seek(static_cast<quint64>(scan)); });
+    // Behind the last scan the path is smoothed: nobody who goes to the end means to miss that.
+    connect(time_line_, &TimeLine::chosen, &session, [this, &session](int scan) {
+        const auto wanted = static_cast<quint64>(scan);
+        const bool to_end = total_ && wanted >= *total_ && !session.is_live();
+        if (to_end && session.progress().state == Progress::State::finished) return;
+        session.seek(to_end ? RunWorker::kToTheEnd : wanted);
+    });
     connect(actions.previous_event, &QAction::triggered, time_line_,
             [this] { time_line_->choose_event(false); });
     connect(actions.next_event, &QAction::triggered, time_line_,

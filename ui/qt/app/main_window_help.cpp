@@ -4,7 +4,9 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
+#include <QKeySequence>
 #include <QLabel>
+#include <QStringList>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -49,6 +51,17 @@ void show_text(QWidget* parent, const char* name, const QString& title, const QS
     dialog->show();
 }
 
+/// Keys with commas between, by the names that menus have for them.
+QString as_in_menus(const QString& keys) {
+    QStringList names;
+    for (const QString& key : keys.split(", ")) {
+        const QString name = QKeySequence::fromString(key, QKeySequence::PortableText)
+                                 .toString(QKeySequence::NativeText);
+        names << (name.isEmpty() ? key : name);
+    }
+    return names.join(", ");
+}
+
 }  // namespace
 
 void MainWindow::connect_help() {
@@ -72,24 +85,26 @@ void MainWindow::show_about() {
 
 void MainWindow::show_keys() {
     const QList<QPair<QString, QString>> keys{
-        {tr("Space"), tr("run or stop")},
-        {tr("Right arrow"), tr("one step")},
-        {tr("Ctrl+Left, Ctrl+Right"), tr("to the event before, to the next (time line)")},
+        {"Space", tr("run or stop")},
+        {"Right", tr("one step")},
+        {"Ctrl+Left, Ctrl+Right", tr("to the event before, to the next (time line)")},
         {"Ctrl+U", tr("run until something happens")},
-        {tr("Ctrl+Space"), tr("as fast as possible, or at the pace chosen")},
+        {"Ctrl+Space", tr("as fast as possible, or at the pace chosen")},
         {"Ctrl+R", tr("restart")},
-        {"B, O", tr("map as estimated, as by the odometry")},
-        {"Ctrl+Shift+S", tr("save the map")},
-        {"Ctrl+P", tr("save the view in use as an image")},
+        {"B, P, O", tr("map as estimated, of one particle, as by the odometry")},
+        {"Ctrl+Shift+S, Ctrl+Shift+R", tr("save the map, all results")},
+        {"Ctrl+P, Ctrl+C", tr("save the view in use as an image, copy it")},
         {"Ctrl+O, Ctrl+M", tr("data source, parameters")},
+        {"Ctrl+Shift+N", tr("map what a running robot sees")},
         {"Ctrl+D", tr("draw a world, drive a robot through it")},
         {"Ctrl+L, Ctrl+S", tr("load, save the configuration")},
         {"Ctrl+Z, Ctrl+Shift+Z", tr("undo, redo a change of the configuration")},
         {"Ctrl+H", tr("configuration at a glance")},
         {"F11, Shift+F11", tr("one view alone, one above the other")},
+        {"Ctrl+F11", tr("presenter mode, for a classroom")},
         {"Ctrl+G", tr("plots")},
-        {"Ctrl+Shift+L, P, A, J",
-         tr("tables of landmarks and particles, why features were associated, joint covariance")},
+        {"Ctrl+Shift+L, Ctrl+Shift+P", tr("tables of landmarks and particles")},
+        {"Ctrl+Shift+A, Ctrl+Shift+J", tr("why features were associated, joint covariance")},
         {"Ctrl+Shift+O", tr("loops: closed, refused, changed by hand")},
         {"M, Shift+M", tr("measure a distance, an angle")},
         {"Ctrl+Shift+M", tr("what was measured")},
@@ -98,10 +113,12 @@ void MainWindow::show_keys() {
         {"Ctrl+T, Ctrl+F", tr("world frame, follow the robot")},
         {"Alt+1 … Alt+9", tr("layers")},
         {"+, −, F, WASD", tr("zoom, fit and move the view in use")},
-        {"F1, Shift+F1", tr("explain what has the keyboard, list the keys")}};
+        {"F1, Shift+F1", tr("explain what has the keyboard, list the keys")},
+        {"Ctrl+Q", tr("quit")}};
     QString table = "<table cellspacing='6'>";
     for (const auto& [key, meaning] : keys)
-        table += "<tr><td><b>" + key + "</b>&nbsp;&nbsp;</td><td>" + meaning + "</td></tr>";
+        table +=
+            "<tr><td><b>" + as_in_menus(key) + "</b>&nbsp;&nbsp;</td><td>" + meaning + "</td></tr>";
     show_text(this, "keys", tr("Keyboard"), table + "</table>");
 }
 

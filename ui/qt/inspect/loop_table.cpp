@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "loop_table.hpp"
 
-#include <QApplication>
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -20,7 +20,9 @@
 #include "edit_list.hpp"
 #include "hitos/services/evaluation/reference_fit.hpp"
 #include "hitos/services/evaluation/tour_frames.hpp"
+#include "hitos/services/results/kept_run.hpp"
 #include "hitos/slam/filters.hpp"
+#include "look/docks.hpp"
 #include "look/flow_layout.hpp"
 #include "look/named.hpp"
 #include "look/parameter_text.hpp"
@@ -137,6 +139,7 @@ LoopTable::LoopTable(Session& session, QWidget* parent)
         first_place_.reset();
         model_->set_loops({});
         view_->set_loop(nullptr, std::nullopt);
+        forget_other_tour();
     });
     connect(table_, &FiguresTable::row_chosen, this,
             [this](int place) { choose(model_->loops()[static_cast<std::size_t>(place)]); });
@@ -173,11 +176,21 @@ QWidget* LoopTable::made_bar(QWidget* parent) {
            "propose a loop"));
     pick_->setCheckable(true);
     connect(pick_, &QPushButton::toggled, this, [this] { first_place_.reset(); });
-    row->addWidget(scan_ = add_number(bar, "loop_scan", tr("Scan %1").arg(QString())));
-    row->addWidget(to_scan_ = add_button(bar, "loop_to_scan", &LoopTable::to_scan));
-    row->addWidget(earlier_ =
-                       add_number(bar, "loop_earlier", tr("came back to %1").arg(QString())));
-    row->addWidget(to_earlier_ = add_button(bar, "loop_to_earlier", &LoopTable::to_earlier));
+    scan_ = add_number(bar, "loop_scan", tr("Scan %1").arg(QString()));
+    to_scan_ = add_button(bar, "loop_to_scan", &LoopTable::to_scan);
+    earlier_ = add_number(bar, "loop_earlier", tr("came back to %1").arg(QString()));
+    to_earlier_ = add_button(bar, "loop_to_earlier", &LoopTable::to_earlier);
+    // However narrow the dock, a number and its button stay together.
+    for (const auto& [number, button] :
+         {std::pair(scan_, to_scan_), std::pair(earlier_, to_earlier_)}) {
+        auto* both = new QWidget(bar);
+        auto* inside = new QHBoxLayout(both);
+        inside->setContentsMargins(0, 0, 0, 0);
+        inside->setSpacing(4);
+        inside->addWidget(number);
+        inside->addWidget(button);
+        row->addWidget(both);
+    }
     for (QPushButton* button : {to_scan_, to_earlier_}) {
         button->setText(tr("Go"));
         button->setToolTip(tr("The run goes to this scan"));
@@ -203,6 +216,19 @@ QSpinBox* LoopTable::add_number(QWidget* parent, const char* name, const QString
 
 std::vector<GraphEdit> LoopTable::edits() const {
     return parse_graph_edits(session_.configuration().registration.edits);
+}
+
+/// What was chosen or proposed is of the tour that it was found on.
+void LoopTable::forget_other_tour() {
+    const Configuracion& now = session_.configuration();
+    const bool other = tour_ && (!same_log(*tour_, now) || drive_ != session_.drive());
+    tour_ = now;
+    drive_ = session_.drive();
+    if (!other) return;
+    chosen_.reset();
+    proposed_ = false;
+    measured_.reset();
+    emit loop_shown(std::nullopt);
 }
 
 /// Two scans that are none of the listed pairs are a loop that somebody proposes, between the key
@@ -400,11 +426,7 @@ void LoopTable::refresh() {
     const bool redone =
         !snapshot && scroll_->isVisible() && session_.progress().state == Progress::State::running;
     const bool there = (snapshot && !snapshot->keys.empty()) || redone;
-    // Hidden for a moment, it gives the focus away.
-    if (!there && scroll_->isAncestorOf(QApplication::focusWidget())) had_focus_ = true;
-    scroll_->setVisible(there);
-    none_->setVisible(!there);
-    if (there && std::exchange(had_focus_, false)) table_->setFocus();
+    show_or_say(there, *scroll_, *table_, *none_);
     for (QSpinBox* number : {scan_, earlier_}) {
         const QSignalBlocker quiet(number);
         const int most = there && snapshot ? static_cast<int>(snapshot->steps) : number->maximum();
@@ -462,7 +484,8 @@ void LoopTable::show_change() {
 }
 
 void LoopTable::show_reason() {
-    if (!change_->isEnabled()) {
+    // Behind another dock nothing is enabled.
+    if (!change_->isEnabledTo(this)) {
         reason_->clear();
     } else if (measured_) {
         constexpr double kFits = 0.3;

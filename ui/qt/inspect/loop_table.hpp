@@ -78,6 +78,7 @@ class LoopTable final : public QWidget {
     void change();
     void fit();
     void poll();
+    void forget_other_tour();
     void propose();
     std::vector<GraphEdit> edits() const;
     void take_loops();
@@ -101,8 +102,9 @@ class LoopTable final : public QWidget {
     EditList* edits_;
     std::vector<RunLoop> loops_;  // of the run
     std::optional<RunLoop> chosen_;
-    bool proposed_ = false;   // chosen_ need not be of the run
-    bool had_focus_ = false;  // before there was nothing to show for a moment
+    bool proposed_ = false;              // chosen_ need not be of the run
+    std::optional<Configuracion> tour_;  // that chosen_ is of,
+    quint64 drive_ = 0;                  // and its number where it was driven
     std::optional<std::uint64_t> first_place_;
     QTimer timer_;
     std::future<LoopRecord> fitted_;

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "look/docks.hpp"
 #include "look/flow_layout.hpp"
 #include "look/named.hpp"
 #include "look/parameter_text.hpp"
@@ -125,8 +126,7 @@ void ParticleTable::refresh() {
     if (!isVisible()) return;
     const bool particles = has_particles(session_.configuration());
     none_->setText(tr("%1 has no particles.").arg(algorithm_of(session_.configuration())));
-    none_->setVisible(!particles);
-    table_->setVisible(particles);
+    show_or_say(particles, *table_, *table_, *none_);
     buttons_->setVisible(particles);
     model_->set_snapshot(session_.snapshot());
     const bool there = chosen_ && static_cast<int>(*chosen_) < model_->rowCount();

@@ -69,6 +69,16 @@ QDockWidget* make_dock(QMainWindow& window, QDockWidget* first, QWidget* widget,
     return dock;
 }
 
+void show_or_say(bool there, QWidget& shown, QWidget& keys, QWidget& words) {
+    QWidget& next = there ? shown : words;
+    QWidget& other = there ? words : shown;
+    const QWidget* focused = shown.window()->focusWidget();
+    const bool had_keys = focused != nullptr && (focused == &other || other.isAncestorOf(focused));
+    next.setVisible(true);
+    if (had_keys) (there ? keys : words).setFocus();
+    other.setVisible(false);
+}
+
 QDockWidget* add_dock(const DockPlace& place, QWidget* widget, const QString& title,
                       const char* name, const QKeySequence& key) {
     QDockWidget* dock = make_dock(*place.window, place.first, widget, title, name);

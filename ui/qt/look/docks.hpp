@@ -5,6 +5,7 @@
 #include <QKeySequence>
 #include <QMainWindow>
 #include <QString>
+#include <QWidget>
 
 class QAction;
 class QDockWidget;
@@ -37,5 +38,9 @@ QDockWidget* make_dock(QMainWindow& window, QDockWidget* first, QWidget* widget,
 /// The same with a switch, which is called "action_" + name.
 QDockWidget* add_dock(const DockPlace& place, QWidget* widget, const QString& title,
                       const char* name, const QKeySequence& key);
+
+/// Of what a dock has and the words that it shows without it, one is there. Where the keyboard was
+/// in the other it is here now, in `keys` with the first: what is hidden would give it to anybody.
+void show_or_say(bool there, QWidget& shown, QWidget& keys, QWidget& words);
 
 }  // namespace hitos::window

@@ -21,8 +21,12 @@ int FiguresModel::columnCount(const QModelIndex& parent) const {
 }
 
 QVariant FiguresModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-    return titles_.value(section);
+    if (orientation != Qt::Horizontal) return {};
+    // In a wide column the middle may be out of sight, where words are at its beginning.
+    const bool words = rows_ > 0 && key(0, section).typeId() == QMetaType::QString;
+    if (role == Qt::TextAlignmentRole && words)
+        return static_cast<int>(Qt::AlignVCenter | Qt::AlignLeft);
+    return role == Qt::DisplayRole ? QVariant(titles_.value(section)) : QVariant();
 }
 
 QVariant FiguresModel::data(const QModelIndex& index, int role) const {

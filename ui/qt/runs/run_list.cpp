@@ -115,8 +115,21 @@ void RunList::measure_listed(ListedRun& listed) const {
     if (!of_present_tour(*listed.run)) return;
     auto run = std::make_shared<KeptRun>(*listed.run);
     run->figures = listed.told;
+    run->reference = reference_;
     measure(*run);
     listed.run = std::move(run);
+}
+
+/// Takes notice of the references of the present tour. Those that went with another tour are not
+/// missed: what was measured by them stays.
+bool RunList::references_missed() {
+    const References& references = session_.references();
+    const bool any = references.trajectory || references.map;
+    const bool missed = !any && referenced_ && same_log(*referenced_, session_.configuration());
+    reference_ = references.trajectory ? std::make_shared<const Trajectory>(*references.trajectory)
+                                       : nullptr;
+    referenced_ = any ? std::optional(session_.configuration()) : std::nullopt;
+    return any || missed;
 }
 
 std::vector<ListedRun> RunList::runs() const {
@@ -136,7 +149,7 @@ bool RunList::of_present_tour(const KeptRun& run) const {
 
 const Trajectory* RunList::reference_of(const KeptRun& run) const {
     const std::optional<Trajectory>& reference = session_.references().trajectory;
-    return reference && of_present_tour(run) ? &*reference : nullptr;
+    return reference && of_present_tour(run) ? &*reference : run.reference.get();
 }
 
 ListedRun RunList::open(const QString& folder) {
@@ -145,7 +158,7 @@ ListedRun RunList::open(const QString& folder) {
                      })};
     listed.told = listed.run->figures;
     listed.folder = QDir(folder).absolutePath();
-    measure_listed(listed);
+    if (referenced_) measure_listed(listed);
     return add(std::move(listed));
 }
 
@@ -174,6 +187,9 @@ void RunList::keep_present() {
     KeptRun run = run_at(state.get());
     // Walls from before a correction do not belong to the path after it, for good.
     if (state->grid_behind) run.grid = {};
+    // That of a tour that is driven has grown since it came.
+    if (const auto& reference = session_.references().trajectory)
+        run.reference = std::make_shared<const Trajectory>(*reference);
     add({0, std::make_shared<const KeptRun>(std::move(run))});
 }
 
@@ -185,7 +201,9 @@ void RunList::remove(int number) {
 
 void RunList::measure_anew() {
     present_ = nullptr;
-    for (ListedRun& listed : kept_) measure_listed(listed);
+    if (references_missed()) {
+        for (ListedRun& listed : kept_) measure_listed(listed);
+    }
     emit changed();
 }
 

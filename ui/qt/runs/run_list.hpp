@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QString>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "hitos/services/results/kept_run.hpp"
@@ -48,8 +49,8 @@ class RunList final : public QObject {
     std::vector<ListedRun> runs() const;
     /// Whether the run of the window does not go on at the moment.
     bool present_rests() const;
-    /// Where the robot of such a run was, as the references tell; null where nothing is known of
-    /// its log. Until changed().
+    /// Where the robot of such a run was, as the references tell, or told when its log was that of
+    /// the window; null where nothing is known of it. Until changed().
     const Trajectory* reference_of(const KeptRun& run) const;
     /// Reads a folder of results. Throws hitos::Error.
     ListedRun open(const QString& folder);
@@ -69,10 +70,13 @@ class RunList final : public QObject {
     void measure(KeptRun& run) const;
     void measure_listed(ListedRun& listed) const;
     bool of_present_tour(const KeptRun& run) const;
+    bool references_missed();
     void measure_anew();
 
     Session& session_;
     std::vector<ListedRun> kept_;
+    std::shared_ptr<const Trajectory> reference_;  ///< of the present tour
+    std::optional<Configuracion> referenced_;      ///< of which tour there were references last
     int last_number_ = 0;
     bool rested_ = true;
     mutable std::shared_ptr<const KeptRun> present_;  ///< of the snapshot below; null: unknown

@@ -8403,16 +8403,8 @@
         <translation>Software libre bajo la GNU GPL, versión 3 o posterior.</translation>
     </message>
     <message>
-        <source>Space</source>
-        <translation>Espacio</translation>
-    </message>
-    <message>
         <source>run or stop</source>
         <translation>ejecutar o detener</translation>
-    </message>
-    <message>
-        <source>Right arrow</source>
-        <translation>Flecha derecha</translation>
     </message>
     <message>
         <source>one step</source>
@@ -8421,10 +8413,6 @@
     <message>
         <source>restart</source>
         <translation>reiniciar</translation>
-    </message>
-    <message>
-        <source>save the view in use as an image</source>
-        <translation>guardar la vista en uso como imagen</translation>
     </message>
     <message>
         <source>data source, parameters</source>
@@ -8535,10 +8523,6 @@
         <translation>ejecutar hasta que ocurra algo</translation>
     </message>
     <message>
-        <source>Ctrl+Space</source>
-        <translation>Ctrl+Espacio</translation>
-    </message>
-    <message>
         <source>as fast as possible, or at the pace chosen</source>
         <translation>tan rápido como sea posible, o al ritmo elegido</translation>
     </message>
@@ -8581,18 +8565,6 @@
     <message>
         <source>A workbench for landmark SLAM on recorded laser tours: FastSLAM, EKF-SLAM and graph-SLAM step by step, with every parameter at hand.</source>
         <translation>Un banco de trabajo para SLAM con hitos sobre recorridos láser grabados: FastSLAM, EKF-SLAM y Graph-SLAM paso a paso, con todos los parámetros a mano.</translation>
-    </message>
-    <message>
-        <source>map as estimated, as by the odometry</source>
-        <translation>mapa según la estimación, según la odometría</translation>
-    </message>
-    <message>
-        <source>save the map</source>
-        <translation>guardar el mapa</translation>
-    </message>
-    <message>
-        <source>tables of landmarks and particles, why features were associated, joint covariance</source>
-        <translation>tablas de hitos y de partículas, por qué se asociaron las características, covarianza conjunta</translation>
     </message>
     <message>
         <source>Measure a distance</source>
@@ -8731,10 +8703,6 @@
         <translation>Primer barrido, antes de ejecutar</translation>
     </message>
     <message>
-        <source>Ctrl+Left, Ctrl+Right</source>
-        <translation>Ctrl+Izquierda, Ctrl+Derecha</translation>
-    </message>
-    <message>
         <source>to the event before, to the next (time line)</source>
         <translation>al suceso anterior, al siguiente (línea de tiempo)</translation>
     </message>
@@ -8837,6 +8805,38 @@
     <message>
         <source>Newest scan, before the run</source>
         <translation>Barrido más reciente, antes de la ejecución</translation>
+    </message>
+    <message>
+        <source>map as estimated, of one particle, as by the odometry</source>
+        <translation>mapa estimado, de una partícula, según la odometría</translation>
+    </message>
+    <message>
+        <source>save the map, all results</source>
+        <translation>guardar el mapa, todos los resultados</translation>
+    </message>
+    <message>
+        <source>save the view in use as an image, copy it</source>
+        <translation>guardar la vista en uso como imagen, copiarla</translation>
+    </message>
+    <message>
+        <source>map what a running robot sees</source>
+        <translation>hacer el mapa de lo que ve un robot en marcha</translation>
+    </message>
+    <message>
+        <source>presenter mode, for a classroom</source>
+        <translation>modo de presentación, para el aula</translation>
+    </message>
+    <message>
+        <source>tables of landmarks and particles</source>
+        <translation>tablas de hitos y de partículas</translation>
+    </message>
+    <message>
+        <source>why features were associated, joint covariance</source>
+        <translation>por qué se asociaron las características, covarianza conjunta</translation>
+    </message>
+    <message>
+        <source>quit</source>
+        <translation>salir</translation>
     </message>
 </context>
 <context>

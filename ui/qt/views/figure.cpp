@@ -117,7 +117,7 @@ void FigureFrame::paint(QPainter& painter, const Scene& scene, const Colours& la
         if (entry.own.paint) {
             entry.own.paint(painter, QRectF(at, QSizeF(entry.own.width, row)));
         } else if (entry.layer == nullptr) {
-            painter.setPen(thin_pen(entry.own.colour, 2.4));
+            painter.setPen(thin_pen(entry.own.colour, 2.4, entry.own.line));
             const double middle = at.y() + row / 2.0;
             painter.drawLine(QLineF(at.x() + 2.0, middle, at.x() + kSign - 2.0, middle));
         } else {

@@ -66,8 +66,9 @@ struct Exportable {
 /// What a legend has besides layers: a name with a stroke of its colour, or something that is drawn
 /// `width` points wide.
 struct FigureEntry {
-    QString name;
+    QString name = {};
     QColor colour = {};
+    Qt::PenStyle line = Qt::SolidLine;
     double width = 0.0;
     std::function<void(QPainter&, const QRectF&)> paint = {};
 };

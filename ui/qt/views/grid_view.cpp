@@ -283,7 +283,8 @@ void GridView::paint_traces(QPainter& painter, const Scene& scene) const {
         style.colour = trace.colour;
         if (layers().has(Layer::landmarks)) draw_landmarks(painter, paper, trace.landmarks, style);
         if (trace.errors_m.empty()) {
-            draw_path(painter, scene, trace.path, thin_pen(trace.colour, 1.8), trace.begins);
+            draw_path(painter, scene, trace.path, thin_pen(trace.colour, 1.8, trace.line),
+                      trace.begins);
         } else {
             draw_errors(painter, scene, trace);
         }

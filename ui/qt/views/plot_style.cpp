@@ -32,14 +32,14 @@ class Title final : public QCPTextElement {
     /// Plots share what columns that are no wider than they need, as a colour scale's, leave.
     int column_width() const {
         const QCustomPlot& plot = *parentPlot();
-        const QCPLayoutGrid& grid = *plot.plotLayout();
+        QCPLayoutGrid& grid = *plot.plotLayout();  // who asks for a cell that is empty is told off
         int room = plot.viewport().width();
         int plots = grid.columnCount();
         for (int column = 0; column < grid.columnCount(); ++column) {
             for (int row = 0; row < grid.rowCount(); ++row) {
+                if (!grid.hasElement(row, column)) continue;
                 const QCPLayoutElement* element = grid.element(row, column);
-                if (element == nullptr || element->maximumSize().width() == QWIDGETSIZE_MAX)
-                    continue;
+                if (element->maximumSize().width() == QWIDGETSIZE_MAX) continue;
                 room -= element->maximumSize().width() + grid.columnSpacing();
                 --plots;
                 break;

@@ -123,7 +123,7 @@ void draw_legend(QPainter& painter, const Scene& scene, const std::vector<RunTra
     const double left = place.left() + kMargin;
     double y = place.top() + 0.5 * kMargin + metrics.height() / 2.0;
     for (const RunTrace& trace : traces) {
-        painter.setPen(thin_pen(trace.colour, 2.4));
+        painter.setPen(thin_pen(trace.colour, 2.4, trace.line));
         painter.drawLine(QLineF(left, y, left + kStroke, y));
         painter.setPen(paper.text);
         painter.drawText(
@@ -142,13 +142,12 @@ void draw_legend(QPainter& painter, const Scene& scene, const std::vector<RunTra
 std::vector<FigureEntry> entries_of(const std::vector<RunTrace>& traces) {
     std::vector<FigureEntry> entries;
     entries.reserve(traces.size() + 1);
-    for (const RunTrace& trace : traces) entries.push_back({trace.name, trace.colour});
+    for (const RunTrace& trace : traces)
+        entries.push_back({.name = trace.name, .colour = trace.colour, .line = trace.line});
     if (const RunTrace* with_scale = coloured(traces)) {
         entries.push_back(
-            {{},
-             {},
-             kErrorScale,
-             [greatest_m = with_scale->greatest_m](QPainter& painter, const QRectF& row) {
+            {.width = kErrorScale,
+             .paint = [greatest_m = with_scale->greatest_m](QPainter& painter, const QRectF& row) {
                  draw_error_scale(painter, row, greatest_m);
              }});
     }

@@ -20,6 +20,7 @@ struct RunTrace {
     std::vector<double> errors_m = {};
     double greatest_m = 0.0;               ///< end of the scale of colours
     std::vector<std::size_t> begins = {};  ///< points of the path to which no way leads
+    Qt::PenStyle line = Qt::SolidLine;
 };
 
 /// The path in its colour, and on it how far it is off.

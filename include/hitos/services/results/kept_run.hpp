@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,8 @@ struct KeptRun {
     std::vector<SecondTour> later_tours = {};        ///< behind the first one; where each was found
     RunFigures figures = {};                         ///< of a folder those that its summary states
     std::vector<std::string> reference_doubts = {};  ///< likewise, in English
+    /// By which the figures were measured since, for who asks again; null: none.
+    std::shared_ptr<const Trajectory> reference = {};
 };
 
 /// A run from the folder that write_results() wrote, without its grid. Throws FileError where a
