@@ -61,10 +61,12 @@ rate = 2
 };
 
 TEST_F(SecondTourTest, IsLocalisedInAMapThatStaysAsItIs) {
-    const test::Outcome told = run("second.toml", "out", map() + " --localise");
+    const test::Outcome told = run("second.toml", "out", map() + " --localise --write map-server");
     ASSERT_EQ(told.status, 0) << told.output;
     EXPECT_THAT(told.output, HasSubstr("found in the map after "));
     EXPECT_THAT(told.output, Not(HasSubstr("warning")));
+    ASSERT_EQ(run("first.toml", "alone", " --write map-server").status, 0);
+    EXPECT_EQ(content("out/map.pgm"), content("alone/map.pgm")) << "of the map's tour alone";
     // Of scans in which nobody looks for walls nothing is said.
     EXPECT_LT(summary_of("out")["suitability"]["empty"], 0.05);
     EXPECT_EQ(content("out/map.txt"), content("first/map.txt"));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <numeric>
 
 #include "hitos/base/error.hpp"
 #include "hitos/capture/archivo.hpp"
@@ -76,6 +77,39 @@ TEST(Algoritmo, RestartRepeatsTheRunBitByBit) {
     EXPECT_TRUE(run.step_grid().empty());
     for (int i = 0; i < 200; ++i) run.step();
     EXPECT_EQ(run.best_trajectory(), first);
+}
+
+TEST(Algoritmo, ARestartBeginsToMeasureAnew) {
+    const Configuracion configuration = ready_tour();
+    Algoritmo run(configuration, open_source(configuration.source), {.time_stages = true});
+    const auto sum = [&run] {
+        return std::accumulate(run.stages().begin(), run.stages().end(), 0.0);
+    };
+    for (int i = 0; i < 50; ++i) run.step();
+    EXPECT_GT(sum(), 0.0);
+    run.restart();
+    EXPECT_EQ(sum(), 0.0);
+}
+
+TEST(Algoritmo, WhereAScanIsNoKeyTheStepGridDoesNotChange) {
+    Configuracion configuration =
+        ArchivoConfiguracion::read(HITOS_SOURCE_DIR "/config/recorded.cfg");
+    configuration.source.file = ready_tour().source.file;
+    configuration.filter.particles = 2;
+    Algoritmo run(configuration, open_source(configuration.source));
+    std::size_t keys = 0;
+    bool changed = false;
+    bool still = false;
+    for (int i = 0; i < 60; ++i) {
+        run.step();
+        const bool key = run.registration()->keys().size() > keys;
+        keys = run.registration()->keys().size();
+        changed = changed || (key && !run.step_grid_change().empty());
+        if (key) continue;
+        still = true;
+        EXPECT_TRUE(run.step_grid_change().empty()) << "after scan " << i + 1;
+    }
+    EXPECT_TRUE(changed && still);
 }
 
 TEST(Algoritmo, NotesSegmentsAndWhereAskedUncertainty) {

@@ -14,6 +14,7 @@
 #include "hitos/services/drawing/picture_file.hpp"
 #include "hitos/services/results/kept_run.hpp"
 #include "hitos/services/run/open_source.hpp"
+#include "results/loop_json.hpp"
 #include "support.hpp"
 
 namespace hitos {
@@ -103,6 +104,39 @@ TEST_F(ResultsTest, TheSummaryStatesTheRun) {
     EXPECT_GT(online.rmse_m, 1e-6);
     EXPECT_EQ(stated["online_error"]["ate_rmse_m"], online.rmse_m);
     EXPECT_FALSE(stated.contains("distances"));
+}
+
+TEST_F(ResultsTest, TheTimesNameEveryFileThatWasWritten) {
+    const Algoritmo run = run_of("fastslam", {.time_stages = true});
+    const RunSummary summary = write_results(run, {}, 1.0, out_.path());
+    ASSERT_TRUE(summary.times);
+    std::set<std::string> timed;
+    for (const auto& file : summary.times->files) timed.insert(file.name);
+    for (const char* file : {"map.txt", "trajectory.tum", "grid_best.png", "map.dxf"})
+        EXPECT_TRUE(timed.contains(file)) << file;
+    EXPECT_FALSE(timed.contains("map.svg"));
+}
+
+TEST_F(ResultsTest, LoopsAreReadAsTheyWereStated) {
+    Trajectory path(8);
+    RunLoop closed;
+    closed.record.scan = 7;
+    closed.record.earlier = 1;
+    closed.record.verdict = LoopVerdict::closed;
+    closed.record.move_m = 0.25;
+    RunLoop strained = closed;
+    strained.record.scan = 5;
+    strained.record.verdict = LoopVerdict::strained;
+    strained.record.chi_square = 40.0;
+    strained.record.move_m = 0.0;
+    const std::vector<RunLoop> loops{strained, closed};
+    const json quality{{"loops", json_of(loops, true)}, {"refused_loops", json_of(loops, false)}};
+    const std::vector<RunLoop> read = read_loops(quality, path, "summary.json");
+    ASSERT_EQ(read.size(), 2U);
+    EXPECT_EQ(read[0].record.verdict, LoopVerdict::strained);
+    EXPECT_EQ(read[0].record.chi_square, 40.0);
+    EXPECT_EQ(read[1].record.verdict, LoopVerdict::closed);
+    EXPECT_EQ(read[1].record.move_m, 0.25);
 }
 
 TEST_F(ResultsTest, AGridsJpgHasNoMorePixelsThanOneLooksAt) {

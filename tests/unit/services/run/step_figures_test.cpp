@@ -204,6 +204,34 @@ TEST(StopRulesTest, TheRunStopsAtTheFirstScanThatMeetsOne) {
     EXPECT_EQ(worker.progress().stopped_by, StopReason::none);
 }
 
+TEST(StopRulesTest, AtTheToursEndNoRuleHasStoppedIt) {
+    const Configuracion configuration = small_tour();
+    const double last_s = all_figures(configuration).back().time_s;
+    RunWorker worker(configuration, open_source(configuration.source));
+    worker.run(RunWorker::kToTheEnd, {.time_s = last_s});
+    worker.wait();
+    EXPECT_EQ(worker.progress().stopped_by, StopReason::time);
+    worker.run();
+    worker.wait();
+    EXPECT_EQ(worker.progress().state, State::finished);
+    EXPECT_EQ(worker.progress().stopped_by, StopReason::none);
+}
+
+TEST(StepFigures, TellTheScansAtWhichLoopsWereClosed) {
+    Configuracion configuration = small_tour();
+    configuration.filter = ArchivoConfiguracion::read(kRepository / "config/recorded.cfg").filter;
+    configuration.filter.particles = 2;
+    Algoritmo run(configuration, open_source(configuration.source));
+    std::vector<std::uint64_t> told;
+    while (run.step()) {
+        if (figures_of(run, 0.0).loop_closed) told.push_back(run.steps() - 1);
+    }
+    std::vector<std::uint64_t> closed;
+    for (const LoopRecord& loop : run.registration()->loops()) closed.push_back(loop.scan);
+    EXPECT_FALSE(closed.empty());
+    EXPECT_EQ(told, closed);
+}
+
 TEST(StopRulesTest, TheErrorIsAgainstTheReferenceGivenAtAnyTime) {
     const Configuracion configuration = small_tour();
     const auto figures = all_figures(configuration);
