@@ -127,6 +127,28 @@ void ContactTest::what_cannot_be_opened_is_told_as_what_it_is() {
     }
 }
 
+void ContactTest::doubts_about_both_references_stay() {
+    Fixture f;
+    f.run_to_end();
+    References references;  // of a few scans, and a map of another place
+    references.trajectory = f.session.snapshot()->odometry_trajectory;
+    references.trajectory->resize(references.trajectory->size() / 3);
+    references.map = f.session.snapshot()->best_map;
+    for (ICaracteristica& landmark : *references.map) {
+        if (auto* recta = std::get_if<Recta>(&landmark.value)) recta->rho += 40.0;
+        if (auto* corner = std::get_if<Esquina>(&landmark.value)) corner->x += 40.0;
+    }
+    const auto* state = f.window->findChild<QLabel*>("status_state");
+    const QString before = state->text();
+    f.session.set_references(references);
+    QTRY_VERIFY2(state->toolTip().contains("less than half of the scans") &&
+                     state->toolTip().contains("is it of this place"),
+                 qPrintable(state->toolTip()));
+    QVERIFY(state->text().contains(QString::fromUtf8("⚠")));
+    f.session.set_references({});
+    QCOMPARE(state->text(), before);
+}
+
 void ContactTest::options_without_effect_are_told() {
     const std::string log = Fixture::source_file("data/logs/carmen-flaser.log.gz").toStdString();
     CommandLine scattered;

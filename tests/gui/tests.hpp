@@ -460,6 +460,7 @@ class ContactTest : public QObject {
     void a_recording_that_looks_wrong_is_told_before_it_is_run();
     void scans_that_cannot_be_counted_are_not_said_to_be_none();
     void what_cannot_be_opened_is_told_as_what_it_is();
+    void doubts_about_both_references_stay();
     void options_without_effect_are_told();
     void a_refused_file_shows_its_first_lines();
     void file_dialogs_open_where_there_are_files();

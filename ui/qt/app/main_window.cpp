@@ -360,12 +360,12 @@ void MainWindow::connect_views() {
     connect(&session_, &Session::references_changed, ui_->grid_view, [this] {
         ui_->grid_view->set_reference_map(session_.references().map);
         ui_->grid_view->set_reference_path({});
-        status_->show_doubt({});
+        status_->show_reference_doubts({});
     });
     connect(meter_, &ReferenceMeter::measured, ui_->grid_view,
             [this](const std::shared_ptr<const Measured>& figures) {
                 ui_->grid_view->set_reference_path(figures->reference_world);
-                status_->show_doubt(figures->doubt);
+                status_->show_reference_doubts(figures->doubts);
             });
     show_snapshot();
 }

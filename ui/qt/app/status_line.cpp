@@ -134,10 +134,12 @@ void StatusLine::show_doubts(const std::vector<TourFinding>& findings) {
     refresh();
 }
 
-void StatusLine::show_doubt(const std::optional<Advice>& of_reference) {
-    const bool told = !of_reference_.isEmpty();
-    of_reference_ = of_reference ? words_of(*of_reference) : QString();
-    if (of_reference && !told) notice(of_reference_);
+void StatusLine::show_reference_doubts(const std::vector<Advice>& doubts) {
+    const bool told = !of_references_.isEmpty();
+    QStringList sentences;
+    for (const Advice& doubt : doubts) sentences << words_of(doubt);
+    of_references_ = sentences.join('\n');
+    if (!sentences.isEmpty() && !told) notice(sentences.front());
     refresh();
 }
 
@@ -213,7 +215,7 @@ void StatusLine::refresh() {
         p.stopped_by != StopReason::none) {
         notice(status_words(p));
     }
-    QStringList told{doubts_, of_reference_, advice_};
+    QStringList told{doubts_, of_references_, advice_};
     told.removeAll(QString());
     const QString warnings = told.join('\n');
     if (!warnings.isEmpty()) state_->setText(state_->text() + QString::fromUtf8(" ⚠"));

@@ -26,7 +26,8 @@ class StatusLine final : public QObject {
     /// What there is to doubt about the log.
     void show_doubts(const std::vector<TourFinding>& findings);
 
-    void show_doubt(const std::optional<Advice>& of_reference);
+    /// And about the references.
+    void show_reference_doubts(const std::vector<Advice>& doubts);
 
     void show_place(QPointF world_m);
     void clear_place();
@@ -53,7 +54,7 @@ class StatusLine final : public QObject {
     std::optional<std::uint64_t> found_;  ///< where in the map of the tour before
     QString advice_;                      ///< shown with the state; empty: none
     QString doubts_;                      ///< likewise
-    QString of_reference_;                ///< likewise
+    QString of_references_;               ///< likewise
     QString warnings_;                    ///< all three
     QStringList said_;                    ///< the last notices, the newest first
     StopReason stopped_by_ = StopReason::none;

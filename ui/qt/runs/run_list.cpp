@@ -18,10 +18,6 @@ QString run_words(const char* text) {
     return QCoreApplication::translate("RunList", text);
 }
 
-bool has_ended(const Snapshot& state) {
-    return state.revision > state.steps;
-}
-
 }  // namespace
 
 bool same_run(const KeptRun& a, const KeptRun& b) {

@@ -20,6 +20,11 @@ namespace hitos::window {
 
 class IncomingTour;
 
+/// Whether it is of a run at its end, behind the last scan.
+inline bool has_ended(const Snapshot& state) {
+    return state.revision > state.steps;
+}
+
 /// Holds the configuration and the RunWorker that runs it, and tells the views what is new at the
 /// rate of the screen. Snapshots are asked for so seldom that making and painting them takes no
 /// more than kShare of the time, or kShareOfWaiting where the run waits for its pace anyway.

@@ -3,6 +3,7 @@
 
 #include <QTimer>
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "hitos/services/evaluation/reference_fit.hpp"
@@ -59,16 +60,17 @@ Measured measure(const Snapshot& snapshot, const References& references, KnownEr
     Measured out;
     if (references.map) {
         out.map = map_error(snapshot.best_map, *references.map);
-        out.doubt = doubt_of_map(snapshot.best_map, *references.map);
+        if (const auto doubt = doubt_of_map(snapshot.best_map, *references.map))
+            out.doubts.push_back(*doubt);
     }
     if (references.trajectory) {
         const Trajectory path = in_one_frame(snapshot.best_trajectory, snapshot.later_tours);
         out.trajectory = trajectory_error(path, *references.trajectory);
         out.odometry = tour_by_tour_error(snapshot.odometry_trajectory, snapshot.later_tours,
                                           *references.trajectory);
-        // Of the two the one by which loops are told false.
-        const ReferenceFit fit = fit_of_path(path, *references.trajectory, references.tolerance_s);
-        if (fit.misfit || fit.headings) out.doubt = fit.misfit ? fit.misfit : fit.headings;
+        ReferenceFit fit = fit_of_path(path, *references.trajectory, references.tolerance_s);
+        if (!has_ended(snapshot)) fit.poses = 0;  // it may tell of what is still to come
+        std::ranges::move(fit.doubts(), std::back_inserter(out.doubts));
         const Pose pose_world_reference =
             out.trajectory ? inverse(out.trajectory->pose_reference_estimate) : Pose{};
         for (const StampedPose& stamped : *references.trajectory) {

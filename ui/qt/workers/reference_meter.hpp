@@ -27,8 +27,8 @@ struct Measured {
     std::optional<MapError> map;
     std::optional<TrajectoryError> trajectory;
     std::optional<TrajectoryError> odometry;
-    std::optional<Advice> doubt;  ///< whether the references are of this place and tour
-    Trajectory reference_world;   ///< the reference trajectory moved to the run's frame
+    std::vector<Advice> doubts;  ///< whether the references are of this place and tour
+    Trajectory reference_world;  ///< the reference trajectory moved to the run's frame
 };
 
 /// Of checkpoints, by scans: measured once.
