@@ -106,9 +106,9 @@ TEST(WorldEditing, DoorsAtEndsAndAcrossPieces) {
     const auto walls = text.walls();
     add_door(text, {1, 1}, {2, 1});
     EXPECT_EQ(text.walls(), walls);
-    WorldText beside("walls = [[[0, 0], [4, 0]]]\n", "w.toml");
+    WorldText beside("walls = [[[0, 0], [4, 0], [4, 3]]]\n", "w.toml");
     add_door(beside, {4, 0}, {5, 0});
-    EXPECT_EQ(beside.walls(), (std::vector<Polyline>{{{0, 0}, {4, 0}}}));
+    EXPECT_EQ(beside.walls(), (std::vector<Polyline>{{{0, 0}, {4, 0}, {4, 3}}}));
 }
 
 TEST(WorldEditing, EventsOfDoorsFollowTheirNumbers) {
