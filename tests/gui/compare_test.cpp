@@ -78,7 +78,7 @@ void RunsTest::runs_of_different_frames_are_laid_on_each_other() {
     comparison.choose(0, {0, false});
     comparison.choose(1, {number, false});
     const auto mean_distance = [&] {
-        const std::vector<QPointF>& other = comparison.view(0).traces()[1].path;
+        const std::vector<QPointF>& other = comparison.view(0).traces().back().path;
         double sum = 0.0;
         for (std::size_t i = 0; i < left.size(); ++i)
             sum += std::hypot(other[i].x() - left[i].pose.x, other[i].y() - left[i].pose.y);
@@ -92,9 +92,9 @@ void RunsTest::runs_of_different_frames_are_laid_on_each_other() {
     references.trajectory = left;
     f.session.set_references(references);
     comparison.show_figures(true);
-    // On what is compared with it, and as in the window.
-    QCOMPARE(comparison.view(0).traces().back().name, QString("Reference"));
-    QCOMPARE(comparison.view(0).traces().back().line, Qt::DashLine);
+    // Dashed as in the window, and below the colours of the errors.
+    QCOMPARE(comparison.view(0).traces().front().name, QString("Reference"));
+    QCOMPARE(comparison.view(0).traces().front().line, Qt::DashLine);
     const double aligned = mean_distance();
     const auto error = trajectory_error(right, left);
     QVERIFY(error.has_value());

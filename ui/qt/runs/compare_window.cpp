@@ -445,17 +445,18 @@ void CompareWindow::paint_sides() {
         if (mode_ == Mode::blinking && blinked_ != (i == 1)) continue;
         std::vector<RunTrace>& shown = traces[one_view ? 0 : i];
         if (!side.figures.errors.empty()) {
+            shown.push_back(reference_of(side));  // below, or it covers the colours of errors
             shown.push_back(trace_of(i, false));
-            shown.push_back(reference_of(side));  // on what it is compared with
-        } else if (mode_ == Mode::blinking) {     // its path is that of the grid
+        } else if (mode_ == Mode::blinking) {  // its path is that of the grid
             shown.push_back({title_of(side.choice), light_colours().path, {}, {}});
         }
     }
     if (mode_ == Mode::overlaid) {
+        // That of the left one: to lie on several paths it would have to be drawn as often.
+        if (!left.figures.reference.empty())
+            traces.front().insert(traces.front().begin(), reference_of(left));
         for (std::size_t place = 0; place < others_.size(); ++place)
             traces.front().push_back(trace_of(sides_.size() + place, false));
-        // That of the left one: to lie on several paths it would have to be drawn as often.
-        if (!left.figures.reference.empty()) traces.front().push_back(reference_of(left));
     }
     left.view->set_traces(std::move(traces.front()));
     right.view->set_traces(std::move(traces.back()));
