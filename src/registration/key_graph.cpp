@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <queue>
 #include <utility>
 
 #include "hitos/registration/odometry_step.hpp"
@@ -21,9 +20,10 @@ void KeyGraph::add(const KeyPose& pose, KeyScan scan, bool in_crowd) {
     joined_.emplace_back();
     in_crowd_.push_back(in_crowd);
     rests_.push_back(false);
-    for (; scans.back().travelled_m - scans[awake_].travelled_m > kAwake; ++awake_) {
-        if (awake_ > 0 && in_crowd_[awake_ - 1] && in_crowd_[awake_] && in_crowd_[awake_ + 1])
-            rest(awake_);
+    awake_.push_back(static_cast<std::uint32_t>(size() - 1));
+    for (; scans.back().travelled_m - scans[unjudged_].travelled_m > kAwake; ++unjudged_) {
+        const std::size_t key = unjudged_;
+        if (key > 0 && in_crowd_[key - 1] && in_crowd_[key] && in_crowd_[key + 1]) rest(key);
     }
 }
 
@@ -38,6 +38,7 @@ bool KeyGraph::is_anchored(std::size_t key) const {
 void KeyGraph::rest(std::size_t key) {
     if (!is_anchored(key - 1) || !is_anchored(key) || !is_anchored(key + 1)) return;
     rests_[key] = true;
+    awake_.erase(std::ranges::lower_bound(awake_, key));
     ++rest_;
     for (const std::uint32_t other : joined_[key]) std::erase(joined_[other], key);
 }
@@ -88,6 +89,7 @@ bool KeyGraph::thin_if_many_rest() {
 void KeyGraph::wake(std::size_t key) {
     if (!rests_[key]) return;
     rests_[key] = false;
+    awake_.insert(std::ranges::lower_bound(awake_, key), static_cast<std::uint32_t>(key));
     for (const std::uint32_t other : joined_[key])
         joined_[other].push_back(static_cast<std::uint32_t>(key));
 }
@@ -107,44 +109,6 @@ std::size_t KeyGraph::part_begin(std::size_t key) const {
 std::size_t KeyGraph::key_at(std::uint64_t scan) const {
     const auto after = std::ranges::upper_bound(poses, scan, {}, &KeyPose::scan);
     return static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, after - poses.begin())) - 1;
-}
-
-void KeyGraph::reach(std::size_t from, std::vector<GraphReach>& reached, double way_m) const {
-    constexpr double kJointWay = 0.1;
-    constexpr double kJointVariance = 1e-4;     // (1 cm)^2
-    constexpr double kJointVarianceRad = 1e-6;  // (1 mrad)^2
-    reached.assign(size(), {});
-    reached[from] = {0.0, 0.0, 0.0};
-    using Open = std::pair<double, std::uint32_t>;
-    std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
-    open.emplace(0.0, static_cast<std::uint32_t>(from));
-    const auto cut_before = [&](std::size_t key) {
-        return !cuts_.empty() && std::ranges::binary_search(cuts_, key);
-    };
-    while (!open.empty()) {
-        const double variance = open.top().first;
-        const std::uint32_t i = open.top().second;
-        open.pop();
-        if (variance > reached[i].variance_m2 || reached[i].way_m >= way_m) continue;
-        const auto go = [&](std::size_t j, double way, double variance_m2, double variance_rad2) {
-            if (rests_[j] || reached[j].variance_m2 <= variance) return;  // or it has its way
-            const double dx = poses[j].pose.x - poses[from].pose.x;
-            const double dy = poses[j].pose.y - poses[from].pose.y;
-            const double there = variance + variance_m2 + variance_rad2 * (dx * dx + dy * dy);
-            if (there >= reached[j].variance_m2) return;
-            reached[j] = {reached[i].way_m + way, there, reached[i].variance_rad2 + variance_rad2};
-            open.emplace(there, static_cast<std::uint32_t>(j));
-        };
-        const auto along = [&](std::size_t step, std::size_t j) {  // from key step - 1 to key step
-            go(j, scans[step].travelled_m - scans[step - 1].travelled_m, scans[step].variance_m2,
-               scans[step].variance_rad2);
-        };
-        if (i > 0 && !cut_before(i)) along(i, i - 1);
-        if (i + 1 < size() && !cut_before(i + 1)) along(i + 1, i + 1);
-        for (const std::uint32_t j : joined_[i]) {
-            go(j, kJointWay, kJointVariance, kJointVarianceRad);
-        }
-    }
 }
 
 void KeyGraph::find_scan_edges(std::uint32_t to, const Pose& pose,
@@ -205,12 +169,11 @@ OlderKeys nearest_of(std::vector<std::pair<double, std::uint32_t>> keys, std::si
 }  // namespace
 
 OlderKeys older_keys(const KeyGraph& graph, const MapOfKeys& map,
-                     std::span<const GraphReach> reached, double way_m, std::size_t most) {
+                     std::span<const std::uint32_t> beside, std::size_t most) {
     std::vector<std::pair<double, std::uint32_t>> older;
-    const std::size_t end = std::min(first_new(graph, map), reached.size());
-    for (std::uint32_t j = 0; j < end; ++j) {
-        if (reached[j].way_m < way_m)
-            older.emplace_back(distance_m(graph.poses[j].pose, map.at), j);
+    const std::size_t end = first_new(graph, map);
+    for (const std::uint32_t j : beside) {
+        if (j < end) older.emplace_back(distance_m(graph.poses[j].pose, map.at), j);
     }
     return nearest_of(std::move(older), most);
 }

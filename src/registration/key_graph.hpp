@@ -2,6 +2,7 @@
 // The key scans of a tour with the edges between them, and how far they are from each other.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -30,14 +31,6 @@ struct KeyScan {
     // Copies of a graph share them: they never change.
     std::shared_ptr<const std::vector<SurfacePoint>> points_ =
         std::make_shared<const std::vector<SurfacePoint>>();
-};
-
-/// How far a key is from another one along the graph.
-struct GraphReach {
-    static constexpr double kNever = 1e9;
-    double way_m = kNever;  ///< a joint between passages counts 0.1 m
-    double variance_m2 = kNever;
-    double variance_rad2 = kNever;
 };
 
 /// Where two passages are at one place: the way driven until each.
@@ -70,6 +63,13 @@ class KeyGraph {
     /// after a dozen times.
     void add(const KeyPose& pose, KeyScan scan, bool in_crowd = false);
     bool rests(std::size_t key) const { return rests_[key]; }
+    /// Those that do not, ascending.
+    std::span<const std::uint32_t> awake() const { return awake_; }
+    /// The keys of other passages that see the same walls, but for those that rest.
+    std::span<const std::uint32_t> joined(std::size_t key) const { return joined_[key]; }
+    bool is_cut_before(std::size_t key) const {
+        return !cuts_.empty() && std::ranges::binary_search(cuts_, key);
+    }
     /// A key that rests and has an edge from one that does not loses those from others that rest:
     /// it hangs on keys that stay, and costs a solution next to nothing. Its step by the odometry
     /// becomes one from the first of these to where it lies, as sure as the step was.
@@ -90,12 +90,6 @@ class KeyGraph {
         return {scans[key_at(scan)].travelled_m, scans[key_at(earlier)].travelled_m};
     }
 
-    /// Of every key from key `from`, by the way of least variance: each step adds its own and what
-    /// its heading does at the distance to `from`. Nothing beyond `way_m` along the graph is gone
-    /// on from, nor over a cut but where a loop joins both sides, and nothing leads to who rests.
-    void reach(std::size_t from, std::vector<GraphReach>& reached,
-               double way_m = GraphReach::kNever) const;
-
     /// Puts to `found` edges from what a scan says against each key of a map at `pose`, where it
     /// became key `to`: `by_source` belongs to the keys `sources`. Left out are those of fewer than
     /// 8 matches, or where the key alone would move the scan by more than half a metre. An edge is
@@ -113,12 +107,17 @@ class KeyGraph {
     std::vector<std::size_t> cuts_;  // ascending
     std::vector<bool> in_crowd_;
     std::vector<bool> rests_;
-    std::size_t awake_ = 0;  // the first key that may still come to rest
-    std::size_t rest_ = 0;   // how many have since edges were thinned
+    std::vector<std::uint32_t> awake_;
+    std::size_t unjudged_ = 0;  // the first key that may still come to rest
+    std::size_t rest_ = 0;      // how many have since edges were thinned
 };
 
 inline double distance_m(const Pose& a, const Pose& b) {
     return std::hypot(a.x - b.x, a.y - b.y);
+}
+/// The same as distance_m(a, b) < far_m, which takes longer where most are not.
+inline bool is_within(const Pose& a, const Pose& b, double far_m) {
+    return std::abs(a.x - b.x) < far_m && std::abs(a.y - b.y) < far_m && distance_m(a, b) < far_m;
 }
 
 /// [m] How far from a map's middle older keys may be that take part in it.
@@ -136,10 +135,10 @@ struct OlderKeys {
     std::vector<std::uint32_t> keys;
     bool crowd = false;
 };
-/// Of the older keys that `reached` says are less than `way_m` away along the graph the `most`
-/// nearest to the map's middle, nearest first.
+/// Of `beside`, keys near the map's middle in ascending order, the `most` nearest of those that are
+/// older than the newest ones, nearest first.
 OlderKeys older_keys(const KeyGraph& graph, const MapOfKeys& map,
-                     std::span<const GraphReach> reached, double way_m, std::size_t most);
+                     std::span<const std::uint32_t> beside, std::size_t most);
 
 /// Which keys make the map: the newest ones, and of these older ones, in any order, the nearest
 /// within kNearKey.

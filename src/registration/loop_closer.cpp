@@ -31,34 +31,36 @@ double window_rad(const GraphReach& reach) {
     return std::min(kGreatestTurn, 0.06 + 3.0 * std::sqrt(reach.variance_rad2));
 }
 
+bool long_ago(const KeyGraph& graph, std::size_t key) {
+    return graph.scans.back().travelled_m - graph.scans[key].travelled_m >= kLeastWay;
+}
+
 /// Whether a key lies far enough back to be another passage; where no way leads to it, nobody
 /// knows.
-bool passed(const KeyGraph& graph, std::span<const GraphReach> reached, std::size_t key) {
-    return reached[key].way_m < GraphReach::kNever &&
-           graph.scans.back().travelled_m - graph.scans[key].travelled_m >= kLeastWay &&
-           reached[key].way_m >= kLeastWay;
+bool passed(const GraphReach& reach) {
+    return reach.way_m >= kLeastWay && reach.way_m < GraphReach::kNever;
 }
 
 }  // namespace
 
-std::optional<LoopCloser::Place> LoopCloser::likeliest(const KeyGraph& graph,
-                                                       std::span<const GraphReach> reached) const {
+std::optional<LoopCloser::Place> LoopCloser::likeliest(const KeyGraph& graph, GraphWays& ways) {
     const std::size_t newest = graph.size() - 1;
+    constexpr double kWidest = kGreatestWindow + kNearOutside + 1e-6;
     const Pose& now = graph.poses[newest].pose;
     std::optional<Place> best;
     double best_cost = GraphReach::kNever;
-    for (std::size_t j = 0; j < newest; ++j) {
-        if (!passed(graph, reached, j)) continue;
-        const double window = window_m(reached[j]) + kNearOutside;
-        const double distance = distance_m(graph.poses[j].pose, now);
+    for (const std::uint32_t j : graph.awake()) {
+        const Pose& then = graph.poses[j].pose;
+        if (!long_ago(graph, j) || !is_within(then, now, kWidest)) continue;
+        const GraphReach& reach = ways.to(j);
+        if (!passed(reach)) continue;
+        const double window = window_m(reach) + kNearOutside;
+        const double distance = distance_m(then, now);
         if (distance > window) continue;
-        const double cost = distance / window + 0.02 * std::sqrt(reached[j].variance_m2);
+        const double cost = distance / window + 0.02 * std::sqrt(reach.variance_m2);
         if (cost < best_cost) {
             best_cost = cost;
-            best = {static_cast<std::uint32_t>(j),
-                    now,
-                    {window_m(reached[j]), window_rad(reached[j])},
-                    false};
+            best = {j, now, {window_m(reach), window_rad(reach)}, false};
         }
     }
     return best;
@@ -66,7 +68,7 @@ std::optional<LoopCloser::Place> LoopCloser::likeliest(const KeyGraph& graph,
 
 /// Where the last find far off says that the newest key is.
 std::optional<LoopCloser::Place> LoopCloser::followed(const KeyGraph& graph,
-                                                      std::span<const GraphReach> reached) const {
+                                                      GraphWays& ways) const {
     if (found_.empty() || !found_.back().far ||
         graph.scans.back().travelled_m - found_.back().travelled_m >= kMemory) {
         return std::nullopt;
@@ -74,21 +76,43 @@ std::optional<LoopCloser::Place> LoopCloser::followed(const KeyGraph& graph,
     const Pose there = compose(found_.back().move, graph.poses.back().pose);
     std::optional<Place> best;
     double nearest = kStretch;
-    for (std::size_t j = 0; j + 1 < graph.size(); ++j) {
-        if (!passed(graph, reached, j)) continue;
-        const double distance = distance_m(graph.poses[j].pose, there);
-        if (distance >= nearest) continue;
-        nearest = distance;
-        best = {static_cast<std::uint32_t>(j), there, kAboutFound, true};
+    for (const std::uint32_t j : graph.awake()) {
+        const Pose& then = graph.poses[j].pose;
+        if (!long_ago(graph, j) || !is_within(then, there, nearest)) continue;
+        if (!passed(ways.to(j))) continue;
+        nearest = distance_m(then, there);
+        best = {j, there, kAboutFound, true};
     }
     return best;
 }
 
+/// Whether no key can be less sure than a window holds. To any one leads the way back to where all
+/// were looked at and on from there, on which a heading counts at a distance greater by no more
+/// than the way since; a root of sums of squares, so that Minkowski's inequality bounds it. Since
+/// nothing leads over who has come to rest meanwhile, all are looked at again soon.
+bool LoopCloser::sure_of_all(const KeyGraph& graph) const {
+    constexpr std::size_t kSoon = 100;  // keys
+    const std::size_t newest = graph.size() - 1;
+    if (!sureness_ || newest - sureness_->key > kSoon) return false;
+    if (sureness_->part_begin != graph.part_begin(newest)) return false;
+    const double way_m = graph.scans[newest].travelled_m - graph.scans[sureness_->key].travelled_m;
+    GraphReach bound{way_m, 0.0, 0.0};
+    for (std::size_t key = sureness_->key + 1; key <= newest; ++key) {  // the way back
+        const KeyScan& step = graph.scans[key];
+        bound.variance_m2 += step.variance_m2 + step.variance_rad2 * way_m * way_m;
+    }
+    const double on_m =
+        std::sqrt(sureness_->variance_m2) + way_m * std::sqrt(sureness_->variance_rad2);
+    bound.variance_m2 += on_m * on_m;
+    return unsure_m(bound) <= kGreatestWindow;
+}
+
 /// Of the stretches that the newest key may be on and no window would hold the one that was looked
 /// at longest ago, of several the nearest.
-std::optional<LoopCloser::Place> LoopCloser::far_off(const KeyGraph& graph,
-                                                     std::span<const GraphReach> reached) {
+std::optional<LoopCloser::Place> LoopCloser::far_off(const KeyGraph& graph, GraphWays& ways) {
     constexpr double kAbout = 8.0;  // [m], of the window: half the width of what the query sees
+    if (sure_of_all(graph)) return std::nullopt;
+    Sureness sureness{graph.size() - 1, graph.part_begin(graph.size() - 1)};
     const Pose& now = graph.poses.back().pose;
     const auto stretch = [&](std::size_t key) {
         return static_cast<std::int64_t>(graph.scans[key].travelled_m / kStretch);
@@ -96,9 +120,14 @@ std::optional<LoopCloser::Place> LoopCloser::far_off(const KeyGraph& graph,
     std::optional<Place> best;
     std::uint64_t longest_ago = ~std::uint64_t{0};
     double best_cost = 0.0;
-    for (std::size_t j = 0; j + 1 < graph.size(); ++j) {
-        const double unsure = unsure_m(reached[j]);
-        if (unsure <= kGreatestWindow || !passed(graph, reached, j)) continue;
+    for (const std::uint32_t j : graph.awake()) {
+        const GraphReach& reach = ways.to(j);
+        if (reach.way_m < GraphReach::kNever) {
+            sureness.variance_m2 = std::max(sureness.variance_m2, reach.variance_m2);
+            sureness.variance_rad2 = std::max(sureness.variance_rad2, reach.variance_rad2);
+        }
+        const double unsure = unsure_m(reach);
+        if (unsure <= kGreatestWindow || !long_ago(graph, j) || !passed(reach)) continue;
         const Pose& then = graph.poses[j].pose;
         const double cost = distance_m(then, now) / (unsure + kNearOutside);
         const auto looked = looked_at_.find(stretch(j));
@@ -108,11 +137,9 @@ std::optional<LoopCloser::Place> LoopCloser::far_off(const KeyGraph& graph,
         }
         longest_ago = last;
         best_cost = cost;
-        best = {static_cast<std::uint32_t>(j),
-                {then.x, then.y, now.theta},
-                {kAbout, window_rad(reached[j])},
-                true};
+        best = {j, {then.x, then.y, now.theta}, {kAbout, window_rad(reach)}, true};
     }
+    sureness_ = sureness;
     if (best) looked_at_[stretch(best->key)] = ++far_looks_;
     return best;
 }
@@ -319,14 +346,13 @@ std::optional<LoopFound> LoopCloser::look(const KeyGraph& graph, const std::opti
     return std::nullopt;
 }
 
-std::optional<LoopFound> LoopCloser::search(const KeyGraph& graph,
-                                            std::span<const GraphReach> reached,
+std::optional<LoopFound> LoopCloser::search(const KeyGraph& graph, GraphWays& ways,
                                             std::vector<LoopRecord>& refused) {
     query_.clear();
-    std::optional<Place> place = followed(graph, reached);
+    std::optional<Place> place = followed(graph, ways);
     std::optional<LoopFound> loop = look(graph, place, refused);
-    if (!loop) loop = look(graph, place = likeliest(graph, reached), refused);
-    if (!loop) loop = look(graph, place = far_off(graph, reached), refused);
+    if (!loop) loop = look(graph, place = likeliest(graph, ways), refused);
+    if (!loop) loop = look(graph, place = far_off(graph, ways), refused);
     if (!loop ||
         agreed(graph.poses.back().pose, loop->pose, graph.scans.back().travelled_m, place->far)) {
         return loop;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "correlation.hpp"
+#include "graph_ways.hpp"
 #include "hitos/registration/loop_record.hpp"
 #include "hitos/registration/registration_params.hpp"
 #include "key_graph.hpp"
@@ -53,9 +54,9 @@ class LoopCloser {
     LoopCloser(RegistrationParams params, const ScanMatcher& matcher)
         : params_(std::move(params)), matcher_(matcher) {}
 
-    /// The newest key's passage; `reached` is that of the newest key. What is refused on the way is
-    /// added to `refused`.
-    std::optional<LoopFound> search(const KeyGraph& graph, std::span<const GraphReach> reached,
+    /// The newest key's passage; `ways` are those from it. What is refused on the way is added to
+    /// `refused`.
+    std::optional<LoopFound> search(const KeyGraph& graph, GraphWays& ways,
                                     std::vector<LoopRecord>& refused);
     /// Where the newest key's piece lies among what was before it.
     std::optional<LoopFound> search_piece(const KeyGraph& graph, const CarriedPiece& piece,
@@ -71,6 +72,7 @@ class LoopCloser {
     void forget() {
         found_.clear();
         before_.reset();
+        sureness_.reset();
     }
 
     /// Frees what a search for a piece has drawn, and the next one draws the same again.
@@ -107,10 +109,18 @@ class LoopCloser {
     static constexpr int kMoreOfFar = 2;
     static constexpr double kFarSpan = 4.0;  // [m]
 
-    std::optional<Place> likeliest(const KeyGraph& graph,
-                                   std::span<const GraphReach> reached) const;
-    std::optional<Place> followed(const KeyGraph& graph, std::span<const GraphReach> reached) const;
-    std::optional<Place> far_off(const KeyGraph& graph, std::span<const GraphReach> reached);
+    /// How sure the graph was of all keys, seen from one: the greatest variances.
+    struct Sureness {
+        std::size_t key;
+        std::size_t part_begin;  // of it
+        double variance_m2 = 0.0;
+        double variance_rad2 = 0.0;
+    };
+
+    static std::optional<Place> likeliest(const KeyGraph& graph, GraphWays& ways);
+    std::optional<Place> followed(const KeyGraph& graph, GraphWays& ways) const;
+    std::optional<Place> far_off(const KeyGraph& graph, GraphWays& ways);
+    bool sure_of_all(const KeyGraph& graph) const;
     /// All keys before a piece; copies share it.
     struct Before {
         std::size_t piece;              // its first key
@@ -157,6 +167,7 @@ class LoopCloser {
     std::deque<Found> sought_;                         // of a piece
     std::map<std::int64_t, std::uint64_t> looked_at_;  // by stretch of travel, when last
     std::uint64_t far_looks_ = 0;
+    std::optional<Sureness> sureness_;  // of the last time that all were looked at
     std::shared_ptr<const Before> before_;
     int idle_looks_ = 0;                // at everything, since something was found
     double looked_everywhere_m_ = 0.0;  // the way when it was last looked at

@@ -149,7 +149,7 @@ void Registration::Impl::learn(const DrivenWay& way, const Guess& guess, const P
 void Registration::Impl::refresh_map(const Pose& about) {
     if (!map_stale_) return;
     const MapOfKeys map{graph_.size(), about, newest_in_map()};
-    const OlderKeys older = older_keys(graph_, map, reached_, kOldKeysWay, map.newest / 2);
+    const OlderKeys older = older_keys(graph_, map, beside_, map.newest / 2);
     in_crowd_ = older.crowd;
     select_keys(graph_, map, older.keys, map_keys_);
     build_map(graph_, map_keys_, about, kMapHalf, map_);
@@ -207,8 +207,9 @@ void Registration::Impl::add_key(std::uint64_t scan, const TourBegin* begin) {
 /// `before` takes the keys as they were where it moves the graph and nothing has before.
 void Registration::Impl::close_loop(std::vector<KeyPose>& before) {
     const std::size_t newest = graph_.size() - 1;
-    graph_.reach(newest, reached_);
-    const auto found = closer_.search(graph_, reached_, refused_);
+    ways_.begin(graph_, newest);
+    beside_ = ways_.beside(kBesideKey, kOldKeysWay);
+    const auto found = closer_.search(graph_, ways_, refused_);
     clock_.ends(RegistrationStage::search);
     if (!found) return;
     LoopRecord record = found->record;

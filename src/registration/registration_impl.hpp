@@ -23,6 +23,8 @@ namespace hitos {
 
 inline constexpr double kMapHalf = 45.0;    // [m], of the local map
 inline constexpr double kOldKeysWay = 6.0;  // [m] along the graph, of old keys in the local map
+/// [m] How far they may lie from where one looks, which moves before the map is built.
+inline constexpr double kBesideKey = kNearKey + 2.0;
 
 class Registration::Impl {
   public:
@@ -161,7 +163,8 @@ class Registration::Impl {
     std::vector<CarriedPiece> carried_;
     std::size_t held_ = 0;                    // keys that stay where they are
     std::vector<std::uint64_t> forced_keys_;  // scans that are keys by changes alone
-    std::vector<GraphReach> reached_;
+    GraphWays ways_;                          // from the last key that was looked for
+    std::vector<std::uint32_t> beside_;       // it, by the graph: what the local map may have
     std::vector<SurfacePoint> points_;
     std::vector<Linearization> by_source_;
 

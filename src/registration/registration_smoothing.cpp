@@ -44,7 +44,7 @@ void Registration::Impl::register_anew(std::vector<std::vector<std::uint32_t>>& 
     std::vector<std::vector<PoseEdge>> found((count + kTogether - 1) / kTogether);
     ThreadCrew crew(threads_);
     crew(found.size(), [&](std::size_t piece) {
-        std::vector<GraphReach> reached;
+        GraphWays ways;
         std::vector<std::uint32_t> keys;
         std::vector<Linearization> by_source;
         PointMap map;
@@ -54,8 +54,9 @@ void Registration::Impl::register_anew(std::vector<std::vector<std::uint32_t>>& 
             const MapOfKeys about{k, pose, newest_in_map()};
             if (first_pass) {
                 constexpr double kWay = 2.0 * kOldKeysWay;
-                graph_.reach(k, reached, kWay);
-                older[k] = older_keys(graph_, about, reached, kWay, 2 * about.newest).keys;
+                ways.begin(graph_, k, kWay);
+                older[k] =
+                    older_keys(graph_, about, ways.beside(kBesideKey, kWay), 2 * about.newest).keys;
             }
             select_keys(graph_, about, older[k], keys);
             build_map(graph_, keys, pose, kMapHalf, map);

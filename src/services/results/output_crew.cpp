@@ -15,7 +15,7 @@ namespace {
 /// Each may hold a grid with its picture.
 constexpr int kMostWorkers = 3;
 /// Of a grid; greater ones are held one at a time.
-constexpr double kCellsAtOnce = 16.0 * 1024.0 * 1024.0;
+constexpr double kCellsAtOnce = 96.0 * 1024.0 * 1024.0;
 
 /// About as many as the grid along a path has, where a laser sees 25 m.
 double cells(const Trajectory& path, double resolution_m) {

@@ -6,48 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <vector>
+
+#include "graph_ways.hpp"
+#include "line_of_keys.hpp"
 
 namespace hitos {
 namespace {
 
-/// Keys a metre apart on a straight line; variances of a step as given.
-KeyGraph line_of(std::size_t count, double variance_m2, double variance_rad2) {
-    KeyGraph graph;
-    for (std::size_t i = 0; i < count; ++i) {
-        KeyScan scan;
-        scan.travelled_m = static_cast<double>(i);
-        scan.variance_m2 = variance_m2;
-        scan.variance_rad2 = variance_rad2;
-        graph.add({{static_cast<double>(i), 0.0, 0.0}, i}, scan);
-    }
-    return graph;
-}
-
-TEST(KeyGraph, UncertaintyAddsUpAlongTheWay) {
-    const KeyGraph graph = line_of(11, 0.01, 1e-4);
-    std::vector<GraphReach> reach;
-    graph.reach(10, reach);
-    EXPECT_EQ(reach[10].variance_m2, 0.0);
-    EXPECT_NEAR(reach[0].way_m, 10.0, 1e-12);
-    EXPECT_NEAR(reach[0].variance_rad2, 10 * 1e-4, 1e-12);
-    // Each step's turn counts at its distance from where one looks: 1, 2 … 10 m.
-    EXPECT_NEAR(reach[0].variance_m2, 10 * 0.01 + 1e-4 * 385.0, 1e-12);
-}
-
-TEST(KeyGraph, AJoinedPassageIsNear) {
-    KeyGraph graph = line_of(11, 0.01, 1e-4);
-    graph.join(0, 10);
-    std::vector<GraphReach> reach;
-    graph.reach(10, reach);
-    EXPECT_NEAR(reach[0].way_m, 0.1, 1e-12);
-    EXPECT_NEAR(reach[2].way_m, 2.1, 1e-12);
-    EXPECT_NEAR(reach[5].way_m, 5.0, 0.2);
-    // Within a limit only what it holds is reached.
-    graph.reach(10, reach, 1.5);
-    EXPECT_LT(reach[1].way_m, 1.5);
-    EXPECT_EQ(reach[5].way_m, GraphReach::kNever);
-}
+using test::line_of;
 
 TEST(KeyGraph, NothingLeadsOverACutButALoop) {
     KeyGraph graph = line_of(12, 0.01, 1e-4);
@@ -60,19 +28,19 @@ TEST(KeyGraph, NothingLeadsOverACutButALoop) {
     EXPECT_EQ(graph.part_begin(6), 6U);
     EXPECT_EQ(graph.part_begin(11), 6U);
     EXPECT_EQ(graph.edges.size(), 11U);  // the step from 5 to 6 alone is gone
-    std::vector<GraphReach> reach;
-    graph.reach(11, reach);
-    EXPECT_LT(reach[6].way_m, 5.1);
-    EXPECT_EQ(reach[5].way_m, GraphReach::kNever);
-    EXPECT_EQ(reach[1].way_m, GraphReach::kNever);
+    GraphWays ways;
+    ways.begin(graph, 11);
+    EXPECT_LT(ways.to(6).way_m, 5.1);
+    EXPECT_EQ(ways.to(5).way_m, GraphReach::kNever);
+    EXPECT_EQ(ways.to(1).way_m, GraphReach::kNever);
     std::vector<std::uint32_t> selected;
     const MapOfKeys all{12, graph.poses[11].pose, 30};
-    select_keys(graph, all, older_keys(graph, all, reach, 6.0, 60).keys, selected);
+    select_keys(graph, all, older_keys(graph, all, ways.beside(20.0, 6.0), 60).keys, selected);
     EXPECT_EQ(selected, (std::vector<std::uint32_t>{6, 7, 8, 9, 10, 11}));
 
     graph.join(3, 9);
-    graph.reach(11, reach);
-    EXPECT_NEAR(reach[2].way_m, 2.0 + 0.1 + 0.1, 1e-9);
+    ways.begin(graph, 11);
+    EXPECT_NEAR(ways.to(2).way_m, 2.0 + 0.1 + 0.1, 1e-9);
 }
 
 TEST(KeyGraph, WhatSomebodyClosedStaysClosedOverACut) {
@@ -81,9 +49,9 @@ TEST(KeyGraph, WhatSomebodyClosedStaysClosedOverACut) {
         graph.join(earlier, 9);
         graph.edges.push_back({earlier, 9, {}, {}, EdgeKind::by_hand});
         graph.cut(6);
-        std::vector<GraphReach> reach;
-        graph.reach(9, reach);
-        EXPECT_NEAR(reach[earlier].way_m, 0.1, 1e-12) << earlier;
+        GraphWays ways;
+        ways.begin(graph, 9);
+        EXPECT_NEAR(ways.to(earlier).way_m, 0.1, 1e-12) << earlier;
     }
 }
 
@@ -91,12 +59,12 @@ TEST(KeyGraph, TheLocalMapHasTheNewestKeysAndTheNearestOfAnEarlierPassage) {
     KeyGraph graph = line_of(40, 0.01, 1e-4);
     graph.join(0, 39);
     graph.poses[39].pose = {0.5, 0.5, 0.0};
-    std::vector<GraphReach> reach;
-    graph.reach(39, reach);
+    GraphWays ways;
+    ways.begin(graph, 39);
     std::vector<std::uint32_t> keys;
     const MapOfKeys map{40, graph.poses[39].pose, 8};
     for (const std::size_t most : {4U, 16U, 40U}) {
-        select_keys(graph, map, older_keys(graph, map, reach, 6.0, most).keys, keys);
+        select_keys(graph, map, older_keys(graph, map, ways.beside(20.0, 6.0), most).keys, keys);
         EXPECT_EQ(keys, (std::vector<std::uint32_t>{32, 33, 34, 35, 36, 37, 38, 39, 0, 1, 2, 3}));
     }
 }
@@ -106,9 +74,10 @@ TEST(KeyGraph, OfACrowdOfPassagesTheOldestAreTaken) {
         KeyGraph graph = line_of(std::size_t{10} * count, 0.01, 1e-4);
         for (std::uint32_t key = 0; key < graph.size(); ++key)
             graph.poses[key].pose = {0.3 * (key % 10), 0.0, 0.0};
-        const std::vector<GraphReach> reach(graph.size(), GraphReach{.way_m = 0.0});
+        std::vector<std::uint32_t> all(graph.size());
+        std::iota(all.begin(), all.end(), 0U);
         const MapOfKeys map{graph.size(), {1.5, 0.0, 0.0}, 10};
-        return older_keys(graph, map, reach, 6.0, 5).keys;
+        return older_keys(graph, map, all, 5).keys;
     };
     EXPECT_EQ(passages(3), (std::vector<std::uint32_t>{5, 15, 6, 16, 4})) << "the nearest";
     EXPECT_EQ(passages(20), (std::vector<std::uint32_t>{4, 5, 6, 14, 15}));
@@ -135,23 +104,22 @@ KeyGraph passages_with_a_crowd(std::uint32_t count, std::uint32_t crowd) {
 TEST(KeyGraph, WhoGoesTheSameWayAllDayHasNoMoreKeysToLookAt) {
     const auto reached = [](std::uint32_t passages, std::uint32_t crowd) {
         const KeyGraph graph = passages_with_a_crowd(passages, crowd);
-        std::vector<GraphReach> reach;
-        graph.reach(graph.size() - 1, reach);
-        return std::ranges::count_if(
-            reach, [](const GraphReach& one) { return one.way_m < GraphReach::kNever; });
+        GraphWays ways;
+        ways.begin(graph, graph.size() - 1);
+        return static_cast<int>(ways.beside(100.0, GraphReach::kNever).size());
     };
     EXPECT_EQ(reached(20, 20), 200);
-    const auto after_20 = reached(20, 3);
+    const int after_20 = reached(20, 3);
     EXPECT_EQ(after_20, 31 + 41);  // before the crowd with its first key, and the last 20 m
     EXPECT_EQ(reached(40, 3), after_20);
     // Who rests still knows the way out.
     const KeyGraph graph = passages_with_a_crowd(20, 3);
     ASSERT_TRUE(graph.rests(75));
     EXPECT_FALSE(graph.rests(30) || graph.rests(199));
-    std::vector<GraphReach> reach;
-    graph.reach(75, reach, 2.0);
-    EXPECT_NEAR(reach[5].way_m, 0.1, 1e-12);
-    EXPECT_EQ(reach[74].way_m, GraphReach::kNever);
+    GraphWays ways;
+    ways.begin(graph, 75, 2.0);
+    EXPECT_NEAR(ways.to(5).way_m, 0.1, 1e-12);
+    EXPECT_EQ(ways.to(74).way_m, GraphReach::kNever);
 }
 
 TEST(KeyGraph, WhoRestsHangsOnKeysThatStay) {
@@ -211,10 +179,10 @@ TEST(KeyGraph, NoStretchIsLostBetweenKeysThatRest) {
         if (key >= 10 && !away && key != 199 && key != 240) graph.join(key % 10, key);
         if (key >= 40 && !away) graph.join(key - 25, key);  // one that may rest itself
     }
-    std::vector<GraphReach> reach;
-    graph.reach(399, reach);
+    GraphWays ways;
+    ways.begin(graph, 399);
     for (std::uint32_t key = 0; key < 400; ++key) {
-        EXPECT_EQ(reach[key].way_m < GraphReach::kNever, !graph.rests(key)) << key;
+        EXPECT_EQ(ways.to(key).way_m < GraphReach::kNever, !graph.rests(key)) << key;
     }
     EXPECT_TRUE(graph.rests(100));
     EXPECT_FALSE(graph.rests(198) || graph.rests(199));
@@ -223,16 +191,16 @@ TEST(KeyGraph, NoStretchIsLostBetweenKeysThatRest) {
 TEST(KeyGraph, WhoIsJoinedRestsNoMore) {
     KeyGraph graph = passages_with_a_crowd(20, 3);
     ASSERT_TRUE(graph.rests(75) && graph.rests(95));
-    std::vector<GraphReach> reach;
-    graph.reach(199, reach);
-    EXPECT_EQ(reach[75].way_m, GraphReach::kNever);
+    GraphWays ways;
+    ways.begin(graph, 199);
+    EXPECT_EQ(ways.to(75).way_m, GraphReach::kNever);
     graph.join(75, 199);
     EXPECT_FALSE(graph.rests(75));
-    graph.reach(199, reach);
-    EXPECT_NEAR(reach[75].way_m, 0.1, 1e-12);
-    graph.reach(5, reach);
-    EXPECT_NEAR(reach[75].way_m, 0.1, 1e-12);  // by the joint that it had
-    EXPECT_TRUE(graph.rests(95) && reach[95].way_m == GraphReach::kNever);
+    ways.begin(graph, 199);
+    EXPECT_NEAR(ways.to(75).way_m, 0.1, 1e-12);
+    ways.begin(graph, 5);
+    EXPECT_NEAR(ways.to(75).way_m, 0.1, 1e-12);  // by the joint that it had
+    EXPECT_TRUE(graph.rests(95) && ways.to(95).way_m == GraphReach::kNever);
 }
 
 TEST(KeyGraph, EdgesOfWhoRestsGoByTheHundred) {

@@ -86,8 +86,8 @@ class Rounds {
             graph_.add({drifted, k}, std::move(key));
             ++k;
             if (travelled < 40.0 || k % 2 == 1) continue;
-            graph_.reach(graph_.size() - 1, reached_);
-            if (auto found = closer_.search(graph_, reached_, refused)) {
+            ways_.begin(graph_, graph_.size() - 1);
+            if (auto found = closer_.search(graph_, ways_, refused)) {
                 loop = found;
                 truth_at_loop = truth;
                 return;
@@ -107,7 +107,7 @@ class Rounds {
     ScanMatcher matcher_{params_.point_sigma_m};
     LoopCloser closer_{params_, matcher_};
     KeyGraph graph_;
-    std::vector<GraphReach> reached_;
+    GraphWays ways_;
     Pose before_;
 };
 
@@ -174,7 +174,7 @@ TEST(LoopCloser, FarOffAPlaceThatLooksAlikeButIsOpenIsNoneEither) {
 TEST(LoopCloser, NothingIsALoopBeforeTheRobotHasGoneSomewhere) {
     const Walls room = test::recess_room();
     KeyGraph graph;
-    std::vector<GraphReach> reached;
+    GraphWays ways;
     RegistrationParams params;
     LoopCloser closer(params, ScanMatcher(params.point_sigma_m));
     std::vector<LoopRecord> refused;
@@ -184,18 +184,54 @@ TEST(LoopCloser, NothingIsALoopBeforeTheRobotHasGoneSomewhere) {
         key.hold(drawn_points(room, pose));
         key.travelled_m = 0.05 * k;
         graph.add({pose, static_cast<std::uint64_t>(k)}, std::move(key));
-        graph.reach(graph.size() - 1, reached);
-        EXPECT_FALSE(closer.search(graph, reached, refused));
+        ways.begin(graph, graph.size() - 1);
+        EXPECT_FALSE(closer.search(graph, ways, refused));
     }
     EXPECT_EQ(closer.searches(), 0U);
     EXPECT_TRUE(refused.empty());
+}
+
+/// Where the graph gets unsure of what is far behind, far stretches are looked at as soon as if
+/// nobody had been sure before: of one way out and back who looks at every key and who begins at
+/// the last ones look alike then.
+TEST(LoopCloser, WhoWasSureOfAllLooksAgainWhenTheGraphIsNot) {
+    const Walls room = test::recess_room();
+    const RegistrationParams params;
+    const ScanMatcher matcher(params.point_sigma_m);
+    for (const double turn_rad : {0.05, 0.2, 0.6}) {
+        KeyGraph graph;
+        GraphWays ways;
+        LoopCloser always(params, matcher);
+        std::uint64_t since = 0;  // looks of who always looks
+        std::uint64_t anew = 0;   // of who begins at every key
+        for (std::uint64_t k = 0; k < 160; ++k) {
+            const double way = 0.5 * static_cast<double>(k);
+            KeyScan key;
+            key.hold(drawn_points(room, {0.1 * static_cast<double>(k % 10), 0.0, 0.0}));
+            key.travelled_m = way;
+            key.variance_m2 = 1e-6;
+            key.variance_rad2 = k == 100 ? turn_rad * turn_rad : 1e-8;
+            const double along = way < 40.0 ? way : 80.0 - way;
+            graph.add({{along, way < 40.0 ? 0.0 : 18.5, 0.0}, k}, std::move(key));
+            std::vector<LoopRecord> refused;
+            LoopCloser begins(params, matcher);
+            for (LoopCloser* closer : {&always, &begins}) {
+                ways.begin(graph, k);
+                closer->search(graph, ways, refused);
+            }
+            anew += begins.searches();
+            since = always.searches();
+            ASSERT_EQ(since, anew) << turn_rad << ", key " << k;
+        }
+        EXPECT_EQ(since > 0, turn_rad > 0.1) << turn_rad;
+    }
 }
 
 /// Drives the x axis twice, 20 m and 10 m, and searches at every second key of the second time: how
 /// often that finds the first passage, and how often it is refused as bare.
 std::pair<int, std::ptrdiff_t> found_and_bare(const Walls& walls) {
     KeyGraph graph;
-    std::vector<GraphReach> reached;
+    GraphWays ways;
     const RegistrationParams params;
     LoopCloser closer(params, ScanMatcher(params.point_sigma_m));
     std::mt19937 engine(3);
@@ -213,8 +249,8 @@ std::pair<int, std::ptrdiff_t> found_and_bare(const Walls& walls) {
         key.variance_rad2 = 4e-6;
         graph.add({{along, 0.0, 0.0}, k}, std::move(key));
         if (k < 40 || k % 2 == 1) continue;
-        graph.reach(graph.size() - 1, reached);
-        if (closer.search(graph, reached, refused)) ++found;
+        ways.begin(graph, graph.size() - 1);
+        if (closer.search(graph, ways, refused)) ++found;
     }
     return {found, count(refused, LoopVerdict::bare)};
 }
