@@ -75,8 +75,16 @@ void TourExamination::note(const Odometria& odometry) {
     if (readings_ > 0 && seconds < kNoTime) {
         ++of_no_time_;
         way_in_no_time_m_ += way;
-    } else if (way > 0.0 && seconds > 0.0 && speeds_.size() < kMostSamples) {
-        speeds_.push_back(static_cast<float>(way / seconds));
+    } else if (seconds > 0.0) {
+        // Of readings that came together a speed is that of all.
+        constexpr double kTogether = 0.05;
+        speed_way_m_ += way;
+        speed_s_ += seconds;
+        if (speed_s_ >= kTogether) {
+            if (speed_way_m_ > 0.0 && speeds_.size() < kMostSamples)
+                speeds_.push_back(static_cast<float>(speed_way_m_ / speed_s_));
+            speed_way_m_ = speed_s_ = 0.0;
+        }
     }
     if (readings_++ % path_stride_ != 0) return;
     path_.push_back(last_);

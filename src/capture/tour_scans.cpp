@@ -21,10 +21,20 @@ using Kind = TourFinding::Kind;
 
 constexpr std::size_t kLeastRays = 20;
 
+/// Whether rays of one number go the same way, as they do not where of two lasers one's is missing.
+bool same_rays(const Fan& a, const Fan& b) {
+    const double near = 0.5 * a.step_rad();
+    return a.count == b.count && std::abs(a.min_angle_rad - b.min_angle_rad) <= near &&
+           std::abs(a.max_angle_rad - b.max_angle_rad) <= near;
+}
+
 /// The share of the rays known in both that end at about the same distance; nothing of few.
-std::optional<double> alike(const std::vector<float>& a, const std::vector<float>& b) {
+std::optional<double> alike(const RangesByRay& of_a, const RangesByRay& of_b) {
     constexpr float kNear = 0.1F;
     constexpr float kPerRange = 0.02F;
+    if (!same_rays(of_a.fan, of_b.fan)) return {};
+    const std::vector<float>& a = of_a.ranges;
+    const std::vector<float>& b = of_b.ranges;
     std::size_t both = 0;
     std::size_t same = 0;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
@@ -43,7 +53,8 @@ void TourExamination::note_neighbours(const Scan& scan) {
     constexpr double kAlike = 0.6;
     constexpr double kUnlike = 0.4;  // of what those beside it have
     constexpr std::uint32_t kMostRays = 10'000;
-    std::vector<float> ranges;
+    RangesByRay known{scan.fan, {}};
+    std::vector<float>& ranges = known.ranges;
     if (scan.rays.size() == scan.points.size() && scan.fan.count <= kMostRays) {
         ranges.resize(scan.fan.count, 0.0F);
         const Point2 laser{scan.fan.pose_robot_laser.x, scan.fan.pose_robot_laser.y};
@@ -52,13 +63,13 @@ void TourExamination::note_neighbours(const Scan& scan) {
                 ranges[scan.rays[i]] = static_cast<float>(distance(laser, scan.points[i]));
         }
     }
-    const std::optional<double> to_last = alike(last_ranges_, ranges);
-    const std::optional<double> past_last = alike(ranges_before_, ranges);
+    const std::optional<double> to_last = alike(last_ranges_, known);
+    const std::optional<double> past_last = alike(ranges_before_, known);
     if (past_last >= kAlike && to_last && last_alike_) {
         ++steady_scans_;
         if (std::max(*to_last, *last_alike_) <= kUnlike * *past_last) ++foreign_scans_;
     }
-    ranges_before_ = std::exchange(last_ranges_, std::move(ranges));
+    ranges_before_ = std::exchange(last_ranges_, std::move(known));
     last_alike_ = to_last;
 }
 

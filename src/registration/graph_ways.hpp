@@ -26,7 +26,7 @@ struct GraphReach {
 class GraphWays {
   public:
     /// From a key of a graph that stays as it is while it is asked about. Nothing that is `way_m`
-    /// away along the graph, or as the crow flies, is gone on from.
+    /// away along the graph is gone on from, and nothing so far as the crow flies is reached.
     void begin(const KeyGraph& graph, std::size_t from, double way_m = GraphReach::kNever);
     const GraphReach& to(std::size_t key);
     /// The keys within `radius_m` of where it began, less than `way_m` away along the graph,

@@ -20,8 +20,20 @@ constexpr std::array<std::string_view, 10> kVerdicts{
     "closed",  "poor-fit", "bare",    "seen-through", "alone",
     "no-edge", "strained", "by-hand", "ambiguous",    "unlike"};
 
-std::string percent(double share) {
-    return fmt::format("{:.0f} %", 100.0 * share);
+/// With as many digits as tell it from the limit that it is beyond.
+std::string apart(double value, double limit, int digits) {
+    constexpr int kMostDigits = 6;
+    const auto words = [&digits](double number) { return fmt::format("{:.{}f}", number, digits); };
+    while (digits < kMostDigits && value != limit && words(value) == words(limit)) ++digits;
+    return words(value);
+}
+
+std::string percent(double share, double limit) {
+    return apart(100.0 * share, 100.0 * limit, 0) + " %";
+}
+
+std::string percent(double limit) {
+    return fmt::format("{:.0f} %", 100.0 * limit);
 }
 
 }  // namespace
@@ -49,14 +61,15 @@ Message reason_of(const LoopRecord& loop) {
             return message(HITOS_TEXT("Errors",
                                       "the points lie badly on the earlier walls: a score of %1, "
                                       "and more than %2 is asked"),
-                           fmt::format("{:.2f}", loop.score), kLeastLoopScore);
+                           apart(loop.score, kLeastLoopScore, 2), kLeastLoopScore);
         case LoopVerdict::bare:
             return marked(HITOS_TEXT("Errors", "one direction is left open, as along a corridor"));
         case LoopVerdict::seen_through:
             return message(HITOS_TEXT("Errors",
                                       "one passage looks through %1 of what the other saw, and at "
                                       "most %2 is allowed"),
-                           percent(loop.seen_through.value_or(1.0)), percent(kMostSeenThrough));
+                           percent(loop.seen_through.value_or(1.0), kMostSeenThrough),
+                           percent(kMostSeenThrough));
         case LoopVerdict::alone:
             return marked(HITOS_TEXT("Errors", "too few searches in a row have said the same yet"));
         case LoopVerdict::no_edge:
@@ -72,15 +85,16 @@ Message reason_of(const LoopRecord& loop) {
                                       "are too little alike: %1 (score times overlap times what is "
                                       "not seen through), and more than %2 is asked; %3 is seen "
                                       "through, and at most %4 is allowed"),
-                           fmt::format("{:.2f}", likeness(loop)), kLeastLikeness,
-                           percent(loop.seen_through.value_or(1.0)), percent(kMostPieceThrough));
+                           apart(likeness(loop), kLeastLikeness, 2), kLeastLikeness,
+                           percent(loop.seen_through.value_or(1.0), kMostPieceThrough),
+                           percent(kMostPieceThrough));
         case LoopVerdict::strained:
             break;
     }
     return message(HITOS_TEXT("Errors",
                               "the graph would be bent more than its edges explain: chi-square %1, "
                               "and at most %2 is allowed"),
-                   fmt::format("{:.0f}", loop.chi_square.value_or(0.0)),
+                   apart(loop.chi_square.value_or(0.0), loop.chi_square_limit.value_or(0.0), 0),
                    fmt::format("{:.0f}", loop.chi_square_limit.value_or(0.0)));
 }
 

@@ -208,7 +208,8 @@ void Registration::Impl::add_key(std::uint64_t scan, const TourBegin* begin) {
 void Registration::Impl::close_loop(std::vector<KeyPose>& before) {
     const std::size_t newest = graph_.size() - 1;
     ways_.begin(graph_, newest);
-    beside_ = ways_.beside(kBesideKey, kOldKeysWay);
+    // The robot goes on from there, until two more keys have passed.
+    beside_ = ways_.beside(kBesideKey + 2.0 * params_.key_distance_m, kOldKeysWay);
     const auto found = closer_.search(graph_, ways_, refused_);
     clock_.ends(RegistrationStage::search);
     if (!found) return;

@@ -23,8 +23,7 @@ namespace hitos {
 
 inline constexpr double kMapHalf = 45.0;    // [m], of the local map
 inline constexpr double kOldKeysWay = 6.0;  // [m] along the graph, of old keys in the local map
-/// [m] How far they may lie from where one looks, which moves before the map is built.
-inline constexpr double kBesideKey = kNearKey + 2.0;
+inline constexpr double kBesideKey = kNearKey + 2.0;  // [m] how far they may lie as keys lie now
 
 class Registration::Impl {
   public:

@@ -214,6 +214,43 @@ void KeyboardTest::tab_reaches_everything() {
     }
 }
 
+/// Else the keyboard is at the button that comes next, and Space presses it.
+void KeyboardTest::a_dock_that_closes_leaves_space_to_the_run() {
+    KeyboardFixture f;
+    f.session.run_steps(20);
+    QTRY_VERIFY(f.rests());
+    for (auto* dock : f.window->findChildren<QDockWidget*>()) {
+        dock->show();
+        dock->raise();
+        QTRY_VERIFY(dock->widget()->isEnabled());
+        QWidget* inside = nullptr;
+        for (auto* widget : dock->findChildren<QWidget*>()) {
+            if (widget->isVisible() && widget->isEnabled() && widget->focusPolicy() != Qt::NoFocus)
+                inside = widget;
+        }
+        if (inside == nullptr) continue;
+        inside->setFocus();
+        dock->close();
+        const QWidget* keys = f.window->focusWidget();
+        QVERIFY2(qobject_cast<const QAbstractButton*>(keys) == nullptr,
+                 qPrintable(dock->objectName()));
+    }
+}
+
+void KeyboardTest::letters_with_control_move_no_view() {
+    KeyboardFixture f;
+    f.session.run_steps(20);
+    QTRY_VERIFY(f.rests());
+    auto& view = f.window->grid_view();
+    view.setFocus();
+    const QPointF before = view.camera().centre;
+    for (const Qt::Key key : {Qt::Key_A, Qt::Key_D, Qt::Key_W})
+        QTest::keyClick(&view, key, Qt::ControlModifier | Qt::AltModifier);
+    QCOMPARE(view.camera().centre, before);
+    QTest::keyClick(&view, Qt::Key_A);
+    QVERIFY(view.camera().centre != before);
+}
+
 void KeyboardTest::no_letter_means_two_things_data() {
     QTest::addColumn<QString>("language");
     for (const char* language : {"en", "es"}) QTest::addRow("%s", language) << language;

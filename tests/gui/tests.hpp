@@ -328,6 +328,7 @@ class ViewTest : public QObject {
     void a_click_highlights_in_both_views();
     void a_landmark_may_go_from_below_the_cursor();
     void what_is_highlighted_goes_with_its_run();
+    void a_grid_in_another_frame_is_turned();
     void trees_are_circles_as_large_as_they_are();
     void layers_are_remembered();
     void the_landmark_below_the_cursor_stays_named();
@@ -526,6 +527,8 @@ class KeyboardTest : public QObject {
     void a_study_is_done();
     void a_pair_of_values_is_used();
     void tab_reaches_everything();
+    void a_dock_that_closes_leaves_space_to_the_run();
+    void letters_with_control_move_no_view();
     void no_letter_means_two_things_data();
     void no_letter_means_two_things();
     void no_key_means_two_things();

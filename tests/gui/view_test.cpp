@@ -582,6 +582,39 @@ void ViewTest::what_is_highlighted_goes_with_its_run() {
     QVERIFY(both() == again);  // there was nothing to take away
 }
 
+/// A wall along the x axis, in a view that is turned by an eighth of a turn and moved.
+void ViewTest::a_grid_in_another_frame_is_turned() {
+    auto tile = std::make_shared<GridTile>();
+    tile->grey.fill(255);
+    for (std::size_t row = 30; row < 34; ++row) {
+        for (std::size_t column = 0; column < kTileSide; ++column)
+            tile->grey[row * kTileSide + column] = 0;
+    }
+    GridTiles tiles;
+    tiles.area = {0, 0, kTileSide, kTileSide};
+    tiles.columns = tiles.rows = 1;
+    tiles.resolution_m = 0.1;
+    tiles.tiles = {tile};
+    for (const Pose& frame : {Pose{}, Pose{3.0, -1.0, kPi / 4.0}, Pose{0.0, 2.0, -2.0}}) {
+        GridView view;
+        view.resize(400, 400);
+        view.set_frame(frame);
+        view.set_grid(tiles, {});
+        view.show();
+        view.fit();
+        const QImage image = view.grab().toImage();
+        const auto grey_at = [&](double x, double y) {
+            const Point2 at = transform(frame, Point2{x, y});
+            const QPointF pixel = view.camera().to_screen(view.size()).map(QPointF(at.x, at.y));
+            return qGray(image.pixel(pixel.toPoint()));
+        };
+        for (const double x : {0.6, 3.2, 5.8}) {
+            QVERIFY2(grey_at(x, 3.2) < 60, qPrintable(QString("%1 %2").arg(frame.theta).arg(x)));
+            for (const double y : {1.6, 4.8}) QVERIFY(grey_at(x, y) > 200);
+        }
+    }
+}
+
 void ViewTest::trees_are_circles_as_large_as_they_are() {
     const auto drawn = [](const std::vector<double>& radii_m, const std::vector<Point2>& at) {
         auto snapshot = std::make_shared<Snapshot>();

@@ -183,6 +183,23 @@ TEST_P(OfWorld, WaysFarFromThoseOfTheScansAreTold) {
     }
 }
 
+/// As over a slow link: six at a time, stamped 2 ms apart when they came.
+TEST_P(OfWorld, OdometryInBurstsIsOfNoOtherUnit) {
+    constexpr std::size_t kBurst = 6;
+    std::vector<Odometria> burst = tour_.odometry;
+    for (std::size_t i = 0; i < burst.size(); ++i) {
+        const std::size_t last = std::min(i / kBurst * kBurst + kBurst, burst.size()) - 1;
+        burst[i].time_s = tour_.odometry[last].time_s - 0.002 * static_cast<double>(last - i);
+        if (i == 0) continue;
+        const double before = tour_.odometry[i].time_s - tour_.odometry[i - 1].time_s;
+        const double after = burst[i].time_s - burst[i - 1].time_s;
+        burst[i].twist.v *= before / after;  // the same way
+        burst[i].twist.w *= before / after;
+    }
+    tour_.odometry = std::move(burst);
+    EXPECT_FALSE(tour_.of_kind(Kind::odometry_units)) << tour_.said();
+}
+
 TEST_P(OfWorld, OdometryOfCoarseStampsIsNotSaidToBeMillimetres) {
     Readings coarse = tour_;
     double last_s = -1.0;

@@ -77,6 +77,27 @@ TEST_P(ScansOf, EmptyScansBetweenThemAreOfNoOtherRobot) {
     EXPECT_FALSE(gaps.of_kind(Kind::foreign_scans)) << gaps.said();
 }
 
+/// As of two lasers whose scans are joined, where that of one did not come.
+TEST_P(ScansOf, HalvesOfAFanAreOfNoOtherRobot) {
+    Readings halves = tour_;
+    for (std::size_t i = 0; i < halves.scans.size(); i += 7) {
+        Scan& scan = halves.scans[i];
+        const std::uint32_t first = scan.fan.count / 2;
+        Scan left = scan;
+        left.points.clear();
+        left.rays.clear();
+        left.fan.min_angle_rad = scan.fan.angle_rad(first);
+        left.fan.count -= first;
+        for (std::size_t p = 0; p < scan.points.size(); ++p) {
+            if (scan.rays[p] < first) continue;
+            left.points.push_back(scan.points[p]);
+            left.rays.push_back(scan.rays[p] - first);
+        }
+        scan = std::move(left);
+    }
+    EXPECT_FALSE(halves.of_kind(Kind::foreign_scans)) << halves.said();
+}
+
 TEST_P(ScansOf, RaysInAnyOrderAreNoFaultOfTheOdometry) {
     Readings shuffled = tour_;
     std::mt19937 random(1);

@@ -19,6 +19,12 @@ namespace hitos {
 struct BestFit;
 struct LengthUnit;
 
+/// What the rays of a scan read, 0 where nothing is known.
+struct RangesByRay {
+    Fan fan;
+    std::vector<float> ranges;
+};
+
 /// Takes what is read of a tour, in any order of scans and odometry, and doubts it at the end; what
 /// is not later than what was noted is left out, so that a tour may be read again in part. It
 /// keeps some hundred pairs of neighbouring scans, each pair from where the odometry moved by about
@@ -259,6 +265,8 @@ class TourExamination {
     std::uint64_t longest_step_line_ = 0;
     std::uint64_t leaps_ = 0;
     std::vector<float> speeds_;      ///< of a sample of readings that move
+    double speed_way_m_ = 0.0;       ///< of those that came since the last of them,
+    double speed_s_ = 0.0;           ///< and how long that took
     std::uint64_t of_no_time_ = 0;   ///< readings whose stamps did not advance,
     double way_in_no_time_m_ = 0.0;  ///< and what was driven in them
 
@@ -314,8 +322,8 @@ class TourExamination {
     double last_stamp_s_ = 0.0;           ///< of the newest line,
     double elapsed_s_ = 0.0;              ///< and of the tour there
     std::vector<Point2> last_points_;
-    std::vector<float> last_ranges_;    ///< of the newest scan, by ray, 0 where nothing is known
-    std::vector<float> ranges_before_;  ///< of the one before
+    RangesByRay last_ranges_;           ///< of the newest scan
+    RangesByRay ranges_before_;         ///< of the one before
     std::optional<double> last_alike_;  ///< both
     std::uint64_t steady_scans_ = 0;    ///< whose neighbours are alike,
     std::uint64_t foreign_scans_ = 0;   ///< and these: unlike both

@@ -5,6 +5,7 @@
 #include <QChildEvent>
 #include <QDockWidget>
 #include <QMenu>
+#include <QPointer>
 #include <QTabBar>
 
 #include "named.hpp"
@@ -59,10 +60,18 @@ QDockWidget* make_dock(QMainWindow& window, QDockWidget* first, QWidget* widget,
                        const QString& title, const char* name) {
     auto* dock = named(new QDockWidget(title, &window), name);
     dock->setWidget(widget);
-    QObject::connect(dock, &QDockWidget::visibilityChanged, widget, &QWidget::setEnabled);
-    QObject::connect(dock, &QDockWidget::visibilityChanged, &window, [&window, dock](bool shown) {
-        if (shown) give_width(window, dock);
-    });
+    // Else the keyboard goes to the next widget, a button that Space presses.
+    const auto give_keys = [&window, dock, middle = QPointer(window.centralWidget())] {
+        if (middle == nullptr || !window.isVisible()) return;  // or the window itself goes
+        const QWidget* keys = window.focusWidget();
+        if (keys != nullptr && dock->isAncestorOf(keys)) middle->setFocus();
+    };
+    QObject::connect(dock, &QDockWidget::visibilityChanged, widget,
+                     [&window, dock, widget, give_keys](bool shown) {
+                         if (!shown) give_keys();
+                         widget->setEnabled(shown);
+                         if (shown) give_width(window, dock);
+                     });
     window.addDockWidget(Qt::RightDockWidgetArea, dock);
     if (first != nullptr) window.tabifyDockWidget(first, dock);
     dock->hide();

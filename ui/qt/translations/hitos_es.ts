@@ -3926,6 +3926,10 @@
         <source>Landmark %1</source>
         <translation>Hito %1</translation>
     </message>
+    <message>
+        <source>Observed once</source>
+        <translation>Observado una vez</translation>
+    </message>
 </context>
 <context>
     <name>Language</name>

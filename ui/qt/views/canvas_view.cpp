@@ -389,6 +389,10 @@ bool CanvasView::key_of_tool(int key, Qt::KeyboardModifiers keys) {
 void CanvasView::keyPressEvent(QKeyEvent* event) {
     constexpr double kStep = 48.0;
     if (key_of_tool(event->key(), event->modifiers())) return;
+    constexpr Qt::KeyboardModifiers kOthers =
+        Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
+    const bool letter = event->key() >= Qt::Key_A && event->key() <= Qt::Key_Z;
+    if (letter && (event->modifiers() & kOthers) != 0) return QWidget::keyPressEvent(event);
     switch (event->key()) {
         case Qt::Key_Plus:
         case Qt::Key_Equal:

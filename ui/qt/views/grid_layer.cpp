@@ -125,11 +125,17 @@ void GridLayer::paint(QPainter& painter, const Scene& scene) const {
                 QPointF((seen.right() - left) / cell, (top - seen.top()) / cell));
     const QRect pixels = part.toAlignedRect().intersected(image.rect());
     if (pixels.isEmpty()) return;
-    const QRectF target = scene.to_screen.mapRect(
-        QRectF(left + pixels.left() * cell, top - (pixels.top() + pixels.height()) * cell,
-               pixels.width() * cell, pixels.height() * cell));
+    const bool turned = scene.to_screen.type() > QTransform::TxScale;
+    QRectF target = pixels;
     painter.save();
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, scale * (1 << level) < 1.0);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, turned || scale * (1 << level) < 1.0);
+    if (turned) {
+        painter.setTransform(QTransform(cell, 0.0, 0.0, -cell, left, top) * scene.to_screen, true);
+    } else {
+        target = scene.to_screen.mapRect(QRectF(left + pixels.left() * cell,
+                                                top - (pixels.top() + pixels.height()) * cell,
+                                                pixels.width() * cell, pixels.height() * cell));
+    }
     if (scene.colours.dark) {
         painter.drawImage(target, in_the_dark(image.copy(pixels)));
     } else {

@@ -246,8 +246,10 @@ QStringList describe(const ICaracteristica& world, int index) {
               << QString("y  %1 m").arg(value(esquina.y, 1, 1.0, 3));
     }
     if (world.observations > 0) {
-        lines << landmark_words(QT_TRANSLATE_NOOP("Landmarks", "Observed %1 times"))
-                     .arg(world.observations);
+        lines << (world.observations == 1
+                      ? landmark_words(QT_TRANSLATE_NOOP("Landmarks", "Observed once"))
+                      : landmark_words(QT_TRANSLATE_NOOP("Landmarks", "Observed %1 times"))
+                            .arg(world.observations));
     }
     return lines;
 }

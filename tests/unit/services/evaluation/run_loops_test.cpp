@@ -88,5 +88,19 @@ TEST(LoopVerdicts, AreReadAsWritten) {
     EXPECT_ANY_THROW(verdict_of("open"));
 }
 
+TEST(LoopVerdicts, TellWhatIsBeyondALimitFromTheLimit) {
+    LoopRecord loop = record(1, 0, {}, LoopVerdict::poor_fit);
+    loop.score = 0.495564;
+    EXPECT_THAT(reason_of(loop).english(), HasSubstr("a score of 0.496, and more than 0.5"));
+    loop.verdict = LoopVerdict::seen_through;
+    loop.seen_through = 0.3004;
+    EXPECT_THAT(reason_of(loop).english(), HasSubstr("30.04 % of what the other saw, and at most "
+                                                     "30 % is allowed"));
+    loop.verdict = LoopVerdict::strained;
+    loop.chi_square = 33.2;
+    loop.chi_square_limit = 33.0;
+    EXPECT_THAT(reason_of(loop).english(), HasSubstr("chi-square 33.2, and at most 33 is"));
+}
+
 }  // namespace
 }  // namespace hitos
