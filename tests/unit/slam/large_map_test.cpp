@@ -102,5 +102,26 @@ TEST(FiltroParticulas, SameBitsInALargeMapWithAnyVectorsAndAnybodyAsking) {
     use_vectors(VectorTarget::avx512);
 }
 
+TEST(FiltroParticulas, ACopyOfALargeMapIsAndGoesOnAsTheFirst) {
+    constexpr int kParticles = 20;
+    const FieldTour tour = make_field_tour(75);
+    FieldTour most = tour;
+    most.controls.resize(70);
+    const auto first = after(most, kParticles, 1);
+    ASSERT_GT(first->best_count(FeatureKind::corner), 192);
+    const std::unique_ptr<SlamFilter> cloned = first->clone();
+    auto* const copy = dynamic_cast<FiltroParticulas*>(cloned.get());
+    ASSERT_NE(copy, nullptr);
+    expect_same(*copy, *first, kParticles);
+    const Scan scan;
+    for (std::size_t k = 70; k < tour.controls.size(); ++k) {
+        for (FiltroParticulas* filter : {first.get(), copy}) {
+            filter->step(
+                {scan, std::span(&tour.controls[k], 1), tour.observations[k], nullptr, nullptr});
+        }
+    }
+    expect_same(*copy, *first, kParticles);
+}
+
 }  // namespace
 }  // namespace hitos

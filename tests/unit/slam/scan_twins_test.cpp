@@ -89,6 +89,7 @@ void expect_one_landmark_for_both(SlamFilter& filter) {
     EXPECT_EQ(said[1].outcome, Association::Outcome::created);
     EXPECT_EQ(said[2].outcome, Association::Outcome::matched);
     EXPECT_EQ(said[2].landmark, said[0].landmark);
+    EXPECT_EQ(said[2].reason, Association::Reason::twin);
 }
 
 TEST(ScanTwins, MakeOneLandmarkInFastSlam) {

@@ -162,6 +162,14 @@ TYPED_TEST(StructuresCheckOfMaps, SeesBrokenOnes) {
             maps.table.pools.nodes[maps.table.rows[0].index].entries[0].low[0] += 1000.0F;
         },
         "does not hold all in it");
+    expect(
+        [](Maps& maps) {
+            auto& nodes = maps.table.pools.nodes;
+            auto id = maps.table.rows[0].index;
+            while (nodes[id].level > 0) id = nodes[id].entries[0].id;
+            nodes[id].entries[0].id = Maps::kLandmarks;  // one behind the last
+        },
+        "the index has landmark 300 of 300");
     expect([](Maps& maps) { maps.table.pools.nodes[maps.table.rows[0].index].level = 9; },
            "where 8 belongs");
     expect(
