@@ -36,7 +36,8 @@ void GraphWays::go_on() {
     constexpr double kJointWay = 0.1;
     constexpr double kJointVariance = 1e-4;     // (1 cm)^2
     constexpr double kJointVarianceRad = 1e-6;  // (1 mrad)^2
-    const auto [variance, i] = open_.front();
+    const double variance = open_.front().first;
+    const std::uint32_t i = open_.front().second;
     std::ranges::pop_heap(open_, std::greater<>());
     open_.pop_back();
     const GraphReach here = reached_[i];
